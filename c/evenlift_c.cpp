@@ -1,4 +1,4 @@
-// The functions of evenlift.h. They let no exception pass, and no memory that C cannot free.
+// The functions of evenlift.h. They throw no exceptions and return only memory that C can free.
 #include <cstdlib>
 #include <cstring>
 #include <new>

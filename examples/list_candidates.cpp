@@ -1,5 +1,4 @@
-// Lists every chord on which a team may stand under a triangle, if its arms differ by at most a
-// fifth.
+// Lists the candidates for teams under a triangle: chords whose arms differ by at most a fifth.
 #include <cstdio>
 
 #include "evenlift/candidates.h"

@@ -96,7 +96,7 @@ std::string as_table(const std::vector<Marked>& all, bool numbers) {
   return table(rows, remarks);
 }
 
-// A cell in CSV (RFC 4180). A cell that a spreadsheet would compute is made a text.
+// A cell in CSV (RFC 4180). An apostrophe keeps a spreadsheet from computing it.
 std::string cell(std::string text) {
   if (!text.empty() && std::string_view("=+-@").find(text[0]) != std::string_view::npos)
     text.insert(0, "'");

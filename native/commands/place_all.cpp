@@ -18,7 +18,7 @@ struct ShapeResult {
   std::size_t vertices = 0;
   std::string refusal;  // empty if it was placed
   std::size_t robots = 0;
-  bool stands = false;  // on robots; otherwise the members below have no meaning
+  bool stands = false;  // on robots; otherwise the next three have no meaning
   LoadRange loads;      // of all robots
   double coverage = 0;
   bool held = false;

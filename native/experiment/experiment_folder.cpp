@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Unique: each character becomes %XX unless it is a letter, a digit or a sign that every system
+// Unique: each byte becomes %XX unless it is a letter, a digit or a sign that every system
 // accepts. Very long names keep their beginning, with a fingerprint to distinguish them.
 std::string file_name(const std::string& polygon) {
   std::string out;

@@ -225,7 +225,7 @@ std::string polygon_rows(const std::vector<experiment::ResultSet>& sets) {
   return html;
 }
 
-// A script element must not contain "<".
+// A "<" could end the script element.
 std::string inside_script(std::string json) {
   for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos; at += 6)
     json.replace(at, 1, "\\u003c");

@@ -20,7 +20,7 @@ using File = std::unique_ptr<std::FILE, Close>;
 
 std::string system_error() { return system_message({errno, std::generic_category()}); }
 
-// Stops one byte beyond the limit; the reader of the text then refuses it.
+// Stops soon after the limit; the reader of the text then refuses it.
 std::string read_all(std::FILE* file, const std::string& source) {
   std::string text;
   char buffer[1 << 16];
@@ -124,7 +124,7 @@ void write_file(const std::string& path, std::string_view text) {
   const bool replaceable = lstat(path.c_str(), &info) != 0 || S_ISREG(info.st_mode);
   std::string target = replaceable ? path + ".part" : path;
   File file(std::fopen(target.c_str(), replaceable ? "wbx" : "wb"));
-  // Another program, or the user, may have a file of this name.
+  // A file of this name may already exist.
   for (int i = 2; !file && replaceable && errno == EEXIST && i < 100; ++i) {
     target = path + ".part" + std::to_string(i);
     file.reset(std::fopen(target.c_str(), "wbx"));

@@ -55,7 +55,7 @@ void supports_option(const std::string& text, Document& document) {
   if (!read) throw bad_input(text, read.error());
   // A hand lifts beneath the object, away from the contact.
   const bool by_contact = document.settings.robot.depth > 0 && !read->contacts.empty();
-  // Without a unit of the file or the object, numbers are kept; poses in metres are not.
+  // Numbers are kept unless both the file and the object have a unit.
   const LengthUnit own = document.shown.units.length;
   const bool converts = read->unit != LengthUnit::none && own != LengthUnit::none;
   const double scale = converts ? in_metres(1, read->unit) / in_metres(1, own) : 1;
@@ -117,7 +117,7 @@ void SettingOptions::apply(Document& document) const {
     if (typed(row.setting) && row.setting != Setting::supports && row.setting != Setting::cargo)
       setting_option(row.setting, *typed(row.setting), document);
   if (const Typed& cargo = typed(Setting::cargo)) cargo_option(*cargo, document);
-  // The file may need the unit. Supports bring their method; another one is refused below.
+  // The file of supports may need the unit. Supports set the method; another is refused below.
   const Method method = document.settings.method;
   if (const Typed& supports = typed(Setting::supports)) supports_option(*supports, document);
   if (typed(Setting::method)) document.settings.method = method;

@@ -77,7 +77,7 @@ Import read_text(const std::string& text, const std::string& source, const Shape
   return std::move(read).value();
 }
 
-// On standard error, but no failure.
+// Writes to standard error, without failing.
 void say(const std::string& source, const std::string& what) {
   print_failure({0, source, what, {}});
 }

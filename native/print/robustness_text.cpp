@@ -105,7 +105,7 @@ std::string robustness_lines(const ShownPlacement& of, const RobustnessKnown& kn
     if (has_capacities(of)) text += " " + uncertainty_for_capacity_in_words(*known.models, of);
     text += "\n";
   }
-  // The sentence above has a C uncertainty that alone can tip the object.
+  // The sentence above says whether the C uncertainty alone can tip the object.
   if (asked.disturbance.reach > of.shown.com_radius) {
     const std::string tips = tipping_in_words(known.robustness, of);
     if (!tips.empty()) text += tips + "\n";

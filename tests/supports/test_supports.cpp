@@ -369,6 +369,11 @@ TEST_CASE("a request may give supports as arrays, in any order", "[supports][req
   CHECK(result == asked(R"("metric": "given", "supports": "0,0@30 1,0 0.5,1@20")"));
   CHECK(asked(R"("supports": "0,0 1,0", "metric": "area")")["metric"] == "area");
   CHECK(asked(R"("supports": [[0, 0], [1]])").contains("error"));
+  for (const char* bad : {"[null]", "[0, 0]", "[\"0,0\"]", "[true]"})
+    CHECK(asked(std::string(R"("supports": )") + bad)["error"]["place"]["setting"] == "supports");
+  for (const char* bad : {"[true, 30]", "[\"30\", null]", "[[30]]"})
+    CHECK(asked(R"("supports": [[0, 0], [1, 0]], "support_capacities": )" +
+                std::string(bad))["error"]["place"]["setting"] == "support_capacities");
   CHECK(asked(R"("supports": [[0, 5]])")["error"]["place"]["setting"] == "supports[0]");
   const json required = asked(arrays, R"(, "require": "stands, max<=40")");
   CHECK(required["requirements"] ==

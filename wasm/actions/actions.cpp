@@ -180,8 +180,8 @@ void type_value(const AppState& s, Commands& out) {
   if (s.view.sheet == Sheet::closed) out.push_back(SetSheet{Sheet::half});
   out.push_back(TypeValue{control});
 }
-// The next edge's fields are in the tool's bar or on the closed sheet. The page begins with the
-// pressed key.
+// The next edge's fields are in the tool's bar or on the closed sheet. A pressed digit begins
+// the number.
 void type_edge(const AppState& s, Commands& out) {
   if (s.view.sheet != Sheet::closed) out.push_back(SetSheet{Sheet::closed});
   out.push_back(TypeValue{"edge length"});
@@ -212,7 +212,7 @@ void dismiss(const AppState& s, Commands& out) {
   else if (s.derived().explanation || failing(s))
     close_card(out);
   else if (when::drawing(s) && !s.view.drawing.points.empty())
-    out.push_back(TakePointBack{});  // the notice, if any, concerns it
+    out.push_back(TakePointBack{});  // any notice concerns that point
   else if (!s.session.notice.text.empty())
     out.push_back(ShowNotice{});
   else if (!s.view.walkthrough.why.empty() && when::in_walkthrough(s))
@@ -360,7 +360,7 @@ const Action& action(ActionId id) {
 
 std::string tip(const Action& action, const AppState& state) {
   std::string text = action.label;
-  if (!draws(state.view.tool)) {  // in that tool it removes a vertex, visibly
+  if (!draws(state.view.tool)) {  // while drawing, undo visibly removes a vertex
     if (action.id == ActionId::undo && state.work.history.can_undo())
       text = say("{action}: {edit}", {text, in_words(state.work.history.undoes())});
     if (action.id == ActionId::redo && state.work.history.can_redo())

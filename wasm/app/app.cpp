@@ -12,7 +12,7 @@ namespace evenlift::view {
 
 namespace {
 
-// Both pictures show one polygon: a point in the second picture becomes the same one in the first.
+// Both pictures show the same polygon, so a point in the second becomes that point in the first.
 Pointer over_one_picture(App& app, Pointer pointer) {
   const Layout places = layout(app.state);
   if (!pointer.down && !pointer.released) {

@@ -32,7 +32,7 @@ std::optional<InputError> join(AppState& state, Script script) {
   return std::nullopt;
 }
 
-// A preview replaces the last one.
+// A preview replaces the previous one.
 void open_anew(AppState& state, Opened of_it, bool preview) {
   const std::optional<Script>& script = state.view.walkthrough.script;
   const std::optional<OpenTask>& task = state.view.task;

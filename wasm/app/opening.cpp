@@ -18,7 +18,6 @@ std::optional<Document> work_before(std::string_view work) {
   return std::move(before).value();
 }
 
-// Returns false if no work can be read.
 bool open_work(AppState& state, const LastVisit& visit) {
   if (visit.work.empty()) return false;
   Result<Opened> work = read_document(visit.work);

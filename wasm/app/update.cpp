@@ -164,7 +164,7 @@ struct Applier {
   void operator()(const HoverFigure& c) const { state.view.walkthrough.hovered = c.figure; }
   void operator()(const Explain& c) const {
     state.view.card.ask(c.of);
-    // A finger may have pressed a vertex beside it.
+    // The finger may also have pressed a vertex nearby.
     if (c.of && state.session.screen.touch) state.view.hover = {};
   }
   void operator()(const ShowInLesson& c) const {
@@ -200,7 +200,7 @@ struct Applier {
     begin_edit(state, false, Edit::comparison);
     state.work.second_method = second;
     state.view.hover = state.view.held = {};
-    emit(state, DocumentChanged{});  // another step of undo to keep
+    emit(state, DocumentChanged{});  // storage keeps the step of undo
   }
   void operator()(const Fail& c) const {
     const Derived& facts = state.derived();

@@ -20,7 +20,7 @@
 namespace evenlift::view {
 namespace {
 
-// The dots are at 1, 2 or 5 times a power of ten units.
+// The dots are 1, 2 or 5 times a power of ten units apart.
 void draw_ground(ImDrawList& list, const AppState& state, const Theme& theme) {
   const Camera& camera = state.view.camera;
   const double step = grid_step(camera);
@@ -59,7 +59,7 @@ void draw_hull(const Painter& painter, const CanvasView& view, const Shape& shap
   const bool holds = view.placement->loads.has_value();
   const Colour fill = holds ? theme.hull : theme.amber_on_object.at(0.16f),
                outline = holds ? theme.hull_outline : theme.amber_on_object;
-  // Under the heat map, only its outline: its green would mix with the map's colours.
+  // Under the heat map, only the outline: green would mix with the map's colours.
   if (!view.scene.shows_heat()) painter.fill_around(view.scene.holes, shape.points, fill.at(come));
   painter.outline(shape.points, outline.at(come), 2);
 }
@@ -78,7 +78,7 @@ void draw_object(const Painter& painter, const CanvasView& view, const Shape& sh
 
 void draw_chord(const Painter& painter, const CanvasView& view, const Shape& shape) {
   const Theme& theme = view.theme;
-  // More chords than this are thin and faint: they would hide the object.
+  // More chords than this are thin and faint, to keep the object visible.
   constexpr std::size_t many = 60;
   const std::size_t teams = view.placement->teams.size();
   // A balanced robot's line to C is not a chord.

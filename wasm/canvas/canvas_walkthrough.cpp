@@ -167,7 +167,7 @@ void draw_answered(const Painter& painter, const CanvasView& view, double reach,
                    Occupied& occupied) {
   const std::optional<Answered>& answered = view.state.view.walkthrough.answered;
   if (!answered) return;
-  // If the step draws no even chords, the numbers would refer to nothing.
+  // The step may not draw the even chords that the numbers name.
   if (answered->ask.question.kind == QuestionKind::even_chord)
     for (const std::uint32_t choice : answered->ask.choices)
       draw_chord(painter,

@@ -16,8 +16,7 @@ constexpr double ring = 15;  // pixels around a vertex of a step
 constexpr double line = 5;   // beside an edge
 constexpr double centre = 13;
 
-// In pixels. `from` is on the boundary. Returns `away`, or its opposite if `away` leads into the
-// polygon.
+// `from` is on the boundary. Returns `away` on the screen, or its opposite if `away` leads inside.
 Vec2 outwards(const CanvasView& view, const Vec2& from, const Vec2& away) {
   const Points& vertices = view.placement->vertices();
   const Vec2 near = from + away * (3 / view.camera.scale);

@@ -110,7 +110,7 @@ void draw_free_turns(const Brush& brush, const Figure& figure) {
                        brush.colour, clockwise);
 }
 
-// An arrow that ends this number of pixels early, to spare what is drawn there.
+// An arrow that ends `before_end` pixels early, to spare what is drawn there.
 void draw_way(const Brush& brush, const Points& p, double before_end) {
   const Vec2 tail = brush.view.camera.to_screen(p[0]),
              way = brush.view.camera.to_screen(p[1]) - tail;
@@ -153,7 +153,7 @@ void draw_middle(const Brush& brush, const Figure& figure) {
   draw_middle(brush.painter, brush.view, figure.points[0]);
 }
 
-// The robot fits, or does not.
+// Amber if the robot does not fit.
 Brush for_robot(const Brush& brush, const Figure& figure) {
   Brush own = brush;
   if (figure.item) own.colour = brush.theme().amber;

@@ -102,7 +102,7 @@ void Derivation::take_chosen() {
   if (at_rest() || !elsewhere.possible) return;
   const Document document = std::exchange(elsewhere.document, {});
   auto choice = read_choice(*given_.chosen->choice, document.vertices.size());
-  // A refused document is placed here for the reason of its refusal.
+  // If the worker refused the document, placing it here gives the reason.
   adopt(facts_, document,
         choice ? compute_as_chosen(document, *facts_.placement, *std::move(choice))
                : compute_placement(document, facts_.placement, now_.haste));
@@ -247,8 +247,8 @@ void Derivation::search() {
   begin_count(facts_, now_.shown.capacity, effects_);
 }
 
-// Balanced robots and teams that wait for swaps still improve. A walkthrough and an article show
-// what there is.
+// No offer while a search can still improve the robots, nor in a walkthrough, embedded page or
+// challenge.
 void Derivation::offer() {
   facts_.offer_due |= robots_ || facts_.elsewhere.under_way ||
                       now_.challenge != before_.challenge ||

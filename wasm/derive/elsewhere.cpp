@@ -31,7 +31,6 @@ class Reader {
     rest_ = rest_.subspan(1);
     return value;
   }
-  // A whole number from 0 to `most`.
   std::size_t whole(std::size_t most) {
     const double value = number();
     if (!(value >= 0 && value <= static_cast<double>(most) && value == std::floor(value)))

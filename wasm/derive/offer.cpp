@@ -15,7 +15,7 @@
 namespace evenlift::view {
 namespace {
 
-// Another document for the same object. They are tried in this order.
+// Another document for the same object, tried in the order below.
 struct Alternative {
   const char* verb;  // the button's first words, in English
   bool says_held;    // the verb promises a hold

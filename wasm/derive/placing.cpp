@@ -20,7 +20,7 @@ Result<std::vector<Candidate>> all_candidates(const Placement& placement) {
   return std::move(found->candidates);
 }
 
-// For a comparison: the number of robots of the placement, made even for teams.
+// The number of balanced robots to compare with the placement.
 std::uint32_t robots_beside(const Derived& facts, std::uint32_t teams) {
   return facts.placed.settings.method == Method::given
              ? static_cast<std::uint32_t>(facts.placed.settings.supports.size())

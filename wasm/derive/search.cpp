@@ -10,7 +10,7 @@
 namespace evenlift::view {
 namespace {
 
-// Ends a search that found no robots. Returns false if there were robots before.
+// Ends a search that found no robots. Returns false if there are robots.
 bool find_none(Placement& placement) {
   if (!placement.teams.empty()) return false;
   placement.search_ended = true;
@@ -24,7 +24,7 @@ std::optional<Placement>* balanced(Derived& facts) {
   return nullptr;
 }
 
-// The placed object's settings, with the effective goal.
+// Settings and C as text, with the effective goal.
 std::string settings_of(const Derived& facts, Settings settings) {
   settings.goal = goal_of(settings);
   return settings_text({{}, facts.placed.centre_of_mass, std::move(settings)});

@@ -30,7 +30,7 @@ void follow_grip(AppState& state, const Placement& placement, std::size_t now) {
     state.view.held.end = static_cast<int>(robot);
 }
 
-// Of a moved team, one robot keeps its edge: that robot's number.
+// The number of the team's robot on the edge of `team.end`.
 std::size_t number_of(const Placement& placement, const MovedTeam& team) {
   const std::vector<Robot>& robots = placement.teams[team.team].robots;
   return team.team * robots.size() + (robots[0].point.edge == team.end.edge ? 0 : 1);
@@ -50,8 +50,7 @@ void refuse_by_hand(AppState& state, std::size_t robot, const Vec2& to) {
     show(state, {Notice::Kind::info, closed_in_words(*state.derived().placement, robot)});
 }
 
-// The robots after a move of one in the first picture, as move_robot() says; nothing if they stay.
-// O(n log n).
+// The robots after a move by move_robot(); nothing if they stay. O(n log n).
 std::optional<Moved> moved_by_hand(AppState& state, std::size_t robot, const Vec2& to) {
   state.view.closed_to.reset();
   if (state.derived().refusal || !state.derived().placement ||

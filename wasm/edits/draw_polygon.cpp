@@ -19,7 +19,6 @@
 namespace evenlift::view {
 namespace {
 
-// Returns false if `from` is empty.
 bool move_last(Points& from, Points& to) {
   if (from.empty()) return false;
   to.push_back(from.back());
@@ -27,7 +26,7 @@ bool move_last(Points& from, Points& to) {
   return true;
 }
 
-// With the drawn hole as its last, or why there can be none.
+// The document with the drawn hole last, or why it cannot have it.
 Result<Document> with_hole(const Document& document, const Points& hole) {
   Document with = document;
   with.holes.push_back(hole);
@@ -36,7 +35,7 @@ Result<Document> with_hole(const Document& document, const Points& hole) {
   return with;
 }
 
-// Why the drawn shape or hole cannot be closed, if it cannot.
+// Finds out why the drawn shape or hole cannot be closed.
 void check_drawing(AppState& state) {
   Drawing& drawing = state.view.drawing;
   if (drawing.checked) return;

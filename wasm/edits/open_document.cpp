@@ -16,9 +16,9 @@ void forget_former(AppState& state) {
   state.work.aside = {};
   if (state.work.backdrop) state.work.backdrop->traced = false;
   state.view.hover = state.view.held = {};
-  // The walkthrough begins with the document's step, if it has one.
   if (state.view.task) state.view.challenge = false;
   state.view.task.reset();
+  // A new walkthrough begins at the document's step, if any.
   state.view.walkthrough.trace.reset();
   state.view.walkthrough.script.reset();
   state.view.walkthrough.aside.reset();

@@ -70,7 +70,7 @@ Settings taken_over(Settings settings, const Placement& placement) {
   const auto teams = static_cast<std::uint32_t>(placement.teams.size());
   settings = with_method(std::move(settings), Method::given, std::max(teams, 1u));
   settings.supports = positions(contact_points(placement));
-  // Without robots, one at each of the first corners.
+  // Without robots, one at each of three hull corners.
   const Points& hull = placement.polygon().hull();
   for (std::size_t i = 0; settings.supports.empty() || (placement.teams.empty() && i < 3); ++i)
     settings.supports.push_back(hull[i]);

@@ -58,11 +58,10 @@ void step_back(AppState& state, History::Recalled recalled, const char* what) {
     walk.aside.reset();
     walk.of_lesson = false;
   } else {
-    // The step and the overlays are not undone, unless that leaves a lesson: then the former ones
-    // return.
+    // The step and the overlays change only when a lesson is left: then the former ones return.
     former = seen_as(former, shown(state));
   }
-  // A lesson would show the teams at other places.
+  // A walkthrough would show the teams at other places.
   if (!recalled.document.moved.teams.empty()) former.step.reset();
   show_recalled(state, std::move(recalled));
   announce(state, say(what, {in_words(edit)}));

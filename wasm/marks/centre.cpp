@@ -17,7 +17,6 @@ void draw_tip(const Painter& painter, const ImVec2& tip, const Theme& theme, Col
   painter.list().AddTriangleFilled(tip, left, right, colour.packed());
 }
 
-// With dashes as long as those of candidates.
 void draw_dashed_circle(ImDrawList& list, ImVec2 at, float radius, Colour colour) {
   const int dashes = std::clamp(static_cast<int>(radius * 0.6f), 12, 120);
   const float turn = 2 * 3.14159265f / static_cast<float>(dashes);
@@ -55,7 +54,7 @@ void draw_halo(const Painter& painter, const CanvasView& view) {
   const Theme& theme = view.theme;
   ImDrawList& list = painter.list();
   const ImVec2 at = painter.at(centre_of_mass(state));
-  // Where the weight may act: C is off, or the object is tilted or braked.
+  // `known` is how far from C the weight may act: C is off, or the object tilts or brakes.
   const double margin = view.outlook().robustness.tipping_distance,
                known = disturbance_of(shown(state)).reach;
   const auto in_pixels = [&](double length) {

@@ -57,7 +57,7 @@ Rect without_tools(const CanvasView& view) {
   return window;
 }
 
-// At the window's edge, to a region beyond it; nothing without one or without room.
+// An arrow at the window's edge to a region beyond it, if there is room.
 std::optional<Segment> arrow_to_region(const CanvasView& view, const Rect& window,
                                        const Points& region) {
   constexpr double from_edge = 22, arrow = 44;

@@ -30,8 +30,7 @@
 namespace evenlift::view {
 namespace {
 
-// Each vertex is a ring as a grip, or a dot; nothing where they are so close that they hide the
-// shape.
+// Draws vertices as rings or, if there are many, as dots; nothing where these would hide the shape.
 void draw_ring(const Painter& painter, const CanvasView& view, const Points& ring,
                std::size_t first) {
   const AppState& state = view.state;
@@ -97,8 +96,8 @@ void draw_closed_stretch(const Painter& painter, const CanvasView& view) {
             closed_in_words(placement, team * placement.teams[team].robots.size() + robot));
 }
 
-// While a robot is placed by hand: a ghost where it would be even with another, and outside the
-// object the robot that letting go takes away.
+// Marks where a click would add a robot, where the held robot would be even with another, and,
+// outside the object, the held robot.
 void draw_support_help(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
   const Theme& theme = view.theme;
@@ -188,7 +187,7 @@ void draw_reason(const Painter& painter, const CanvasView& view) {
 
 constexpr float gap_in_caption = 10;
 
-// A method's result: its loads and, by `further`, its coverage and whether the object is held.
+// The loads and, if `further` is 1 or 2, the coverage; if 2, also whether the object is held.
 std::string result_in_words(const Placement& placement, const Units& units, std::size_t further) {
   if (!placement.loads) return "no team";
   const LoadSummary& loads = *placement.loads;

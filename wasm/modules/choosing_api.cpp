@@ -1,4 +1,4 @@
-// The choice of teams while a large object is dragged, for a worker (web/page/choosing_worker.js).
+// Chooses teams in a worker while a large object is dragged (web/page/choosing_worker.js).
 #include <emscripten/emscripten.h>
 
 #include <cstddef>
@@ -32,7 +32,7 @@ EMSCRIPTEN_KEEPALIVE std::size_t choosing_place(const unsigned char* rings, std:
   return choice().size() * sizeof(double);
 }
 
-// Until the next call of choosing_place().
+// Valid until the next call of choosing_place().
 EMSCRIPTEN_KEEPALIVE const double* choosing_choice() { return choice().data(); }
 
 }  // extern "C"

@@ -24,7 +24,7 @@ std::vector<experiment::PolygonResult>& collected() {
   return results;
 }
 
-// Once experiment_begin has checked them.
+// Checked by experiment_begin().
 experiment::ExperimentSettings& settings() {
   static experiment::ExperimentSettings given;
   return given;
@@ -45,7 +45,7 @@ experiment::PolygonResult refused(const std::string& set, const std::string& nam
   return result;
 }
 
-// A polygon's result, or why there is none; for one method if one is given.
+// A polygon's result, or why there is none. `only` restricts it to one method.
 experiment::PolygonResult measured(const std::string& set, const std::string& name,
                                    const char* text, std::optional<Method> only) {
   const Result<Import> import = read_shapes(text);
@@ -77,7 +77,7 @@ std::uint32_t whole_or_none(double value, std::uint32_t most) {
   return value >= 1 && value <= most ? static_cast<std::uint32_t>(value) : 0;
 }
 
-// By set and polygon. Results of one polygon that were measured method by method are merged.
+// Sorted by set and polygon; merges the results of a polygon that was measured method by method.
 std::vector<experiment::PolygonResult> take_collected() {
   std::vector<experiment::PolygonResult> parts = std::exchange(collected(), {}), whole;
   experiment::sort_results(parts);
@@ -102,8 +102,8 @@ std::vector<experiment::PolygonResult> take_collected() {
 
 extern "C" {
 
-// The settings of all later measurements. Returns the name of the one that is out of range, or an
-// empty text.
+// Sets the settings of all later measurements. Returns a sentence if one is out of range, otherwise
+// an empty text.
 EMSCRIPTEN_KEEPALIVE const char* experiment_begin(double min_ratio, double samples, double weight,
                                                   const char* weight_unit, double most_teams,
                                                   double most_balanced) {
@@ -118,7 +118,7 @@ EMSCRIPTEN_KEEPALIVE const char* experiment_begin(double min_ratio, double sampl
   return hand_over(error ? error->message : "");
 }
 
-// With all methods or the named one. Returns the polygon's part as text
+// Measures all methods or the named one. Returns the polygon's part as text
 // (evenlift/experiment/results.h).
 EMSCRIPTEN_KEEPALIVE const char* experiment_measure(const char* set, const char* name,
                                                     const char* text, const char* method) {
@@ -140,8 +140,8 @@ EMSCRIPTEN_KEEPALIVE int experiment_add(const char* text) {
   return part ? 1 : 0;
 }
 
-// Of the added parts, as JSON (outputs_json): averages over sets, or the results of a single
-// polygon. Clears the parts.
+// Returns averages over sets, or the results of a single polygon, as JSON (outputs_json). Clears
+// the added parts.
 EMSCRIPTEN_KEEPALIVE const char* experiment_results(int one_polygon) {
   using namespace evenlift;
   std::vector<experiment::PolygonResult> results = take_collected();

@@ -1,4 +1,4 @@
-// Steps of the algorithm as plain data for a printed page (web/lessons/handout.js): a separate
+// Returns steps of the algorithm as JSON for a printed page (web/lessons/handout.js). A separate
 // WebAssembly module, loaded on first use.
 #include <emscripten/emscripten.h>
 
@@ -31,7 +31,7 @@ namespace {
 // More would be neither printed nor visible.
 constexpr std::size_t most_candidates = 400, most_figures = 400;
 
-// The lesson's steps that this trace has, with the teacher's words.
+// A step to print, with the teacher's words.
 struct Stop {
   std::uint32_t step;
   std::string words;
@@ -169,16 +169,16 @@ std::string handout(std::string_view link, std::string_view lesson_text) {
 
 extern "C" {
 
-// The steps of this lesson, for a link's document; without a lesson, the main steps. Places are on
-// the paper:
-//   width, height, disc     of a picture; the radius of a robot
+// Returns the steps of this lesson for a link's document; without a lesson, the main steps. Places
+// are on the paper:
+//   width, height, disc     of a picture; `disc` is a robot's radius
 //   polygon, holes, centre
 //   cargo                   for each weight: at, radius of its disc
 //   own_centre              of the object without its cargo
 //   steps                   chapter, caption, formula, in_words (the teacher's), and the picture:
 //     base, candidates, teams   known at this step
-//     figures                   kind, number, points; a radius is `value` long
-//     robots, words             known at this step; the text in the picture: text, at
+//     figures                   kind, number, points, and `value`, such as a radius
+//     robots, words             known at this step: number or text, at
 //   question, answer        of a lesson that has them
 //   problem                 a sentence, instead of all the above
 EMSCRIPTEN_KEEPALIVE const char* handout_steps(const char* link, const char* lesson) {

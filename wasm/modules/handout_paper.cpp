@@ -16,7 +16,7 @@
 namespace evenlift {
 namespace {
 
-constexpr std::size_t most_lines = 60;  // text cannot be kept clear of more
+constexpr std::size_t most_lines = 60;  // text cannot avoid more
 constexpr std::size_t most_ratios = 8;  // more numbers would hide the drawing
 constexpr double letter = 0.6;          // greatest width of a letter, as a fraction of its height
 constexpr double beside = 0.75;         // place of the load ratio along a chord
@@ -31,7 +31,7 @@ std::size_t letters(const std::string& text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-// The words to write, and the obstacles.
+// The words to write, and their obstacles.
 class Words {
  public:
   Words(const Paper& paper, const Trace& trace)
@@ -76,7 +76,7 @@ class Words {
     add_ratios(figures);
   }
 
-  // The numbers of the compared candidates, beyond their ends.
+  // Adds the numbers of the best candidates, beyond their right ends.
   void add_ranked(const TeamScores& scores) {
     for (const std::uint32_t c : best_ranked(scores)) {
       const Vec2 end = paper_(placement_.candidates[c].chord.r2.position);
@@ -115,7 +115,7 @@ class Words {
     add(std::move(name), around(middle, 1), away);
   }
 
-  // Of the chords that a step compares. The chosen end of the sections is among the figures twice.
+  // Adds the ratios of the chords that a step compares. The chosen one is among the figures twice.
   void add_ratios(const std::vector<Figure>& figures) {
     std::vector<const Figure*> chords;
     for (const Figure& figure : figures) {
@@ -169,7 +169,7 @@ Points Paper::operator()(const Points& points) const {
 }
 
 std::vector<PaperCargo> cargo_on_paper(const Paper& paper, const Trace& trace) {
-  constexpr double least = 3, whole = 24;  // radius: at least, and of all the weight
+  constexpr double least = 3, whole = 24;  // radii; `whole` is for all the weight
   const Placement& placement = trace.placement;
   std::vector<PaperCargo> cargo;
   for (const Cargo& item : placement.settings.cargo) {

@@ -1,5 +1,5 @@
-// Drawings and tables as polygons: a separate WebAssembly module, which web/kit/import.js loads for
-// a text that the program itself does not read.
+// Reads drawings and tables as polygons. web/kit/import.js loads this WebAssembly module for a text
+// that the program itself does not read.
 #include <emscripten/emscripten.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ const ImportedShape& shape(int index) {
   return at < imported().shapes.size() ? imported().shapes[at] : none;
 }
 
-// [[x, y], …], thinned for a small picture.
+// [[x, y], …]
 std::string thinned(const Points& vertices) {
   const std::size_t step = (vertices.size() + most_points - 1) / most_points;
   std::vector<std::string> points;
@@ -47,8 +47,8 @@ std::string thinned(const Points& vertices) {
 
 extern "C" {
 
-// `tolerance` is the distance between curves and edges, or 0 for the default. Returns why the text
-// was refused, or an empty text; then the functions below return its contents.
+// `tolerance` is the greatest distance between curves and edges; 0 means the default. Returns why
+// the text was refused, or an empty text; then the functions below return its contents.
 EMSCRIPTEN_KEEPALIVE const char* import_read(const char* text, double tolerance) {
   ImportOptions options;
   if (tolerance != 0) options.tolerance = tolerance;
@@ -62,17 +62,17 @@ EMSCRIPTEN_KEEPALIVE const char* import_read(const char* text, double tolerance)
 EMSCRIPTEN_KEEPALIVE const char* import_format() { return hand_over(imported().format); }
 EMSCRIPTEN_KEEPALIVE const char* import_unit() { return hand_over(imported().unit); }
 
-// As an array.
+// A JSON array.
 EMSCRIPTEN_KEEPALIVE const char* import_notes() {
   std::vector<std::string> notes;
   for (const std::string& note : imported().notes) notes.push_back(json::text(note));
   return hand_over(json::array(notes));
 }
 
-// Whether something larger than any shape was left out, so that a person should choose.
+// Whether a person should confirm the choice, because open lines are larger than any shape.
 EMSCRIPTEN_KEEPALIVE int import_is_doubtful() { return imported().doubtful ? 1 : 0; }
 
-// The lines that close no shape, each as [[x, y], …].
+// The lines that do not close, each as [[x, y], …].
 EMSCRIPTEN_KEEPALIVE const char* import_left_open() {
   std::vector<std::string> lines;
   for (const Points& line : imported().left_open) lines.push_back(thinned(line));
@@ -81,9 +81,9 @@ EMSCRIPTEN_KEEPALIVE const char* import_left_open() {
 
 EMSCRIPTEN_KEEPALIVE int import_count() { return static_cast<int>(imported().shapes.size()); }
 
-// For the shape with this index, from 0: its name, its description, the distance between its edges
-// and its curves (0 without curves), and for a small picture its outline as [[x, y], …] and its
-// holes, each in the same form.
+// For the shape with this index, from 0: name, description, the greatest distance between edges and
+// curves (0 without curves) and, for a small picture, the outline as [[x, y], …] and the holes,
+// each in this form.
 EMSCRIPTEN_KEEPALIVE const char* import_name(int index) { return hand_over(shape(index).name); }
 EMSCRIPTEN_KEEPALIVE const char* import_describe(int index) {
   return hand_over(describe(shape(index)));
@@ -100,8 +100,8 @@ EMSCRIPTEN_KEEPALIVE const char* import_holes(int index) {
   return hand_over(json::array(holes));
 }
 
-// The text to open: a link if the import has settings or a unit of length, these are requested, and
-// they fit into one; otherwise the polygon in the thesis's format.
+// The text to open: a link, if settings are requested, the import has some or a unit of length, and
+// the link is not too long; otherwise the polygon in the thesis's format.
 EMSCRIPTEN_KEEPALIVE const char* import_text(int index, int with_settings) {
   const Document& document = shape(index).document;
   const bool has_unit = document.shown.units.length != LengthUnit::none;

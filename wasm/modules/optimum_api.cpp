@@ -42,7 +42,7 @@ std::string problem(std::string_view text) {
   return json::object({{"problem", json::text(translated(text))}});
 }
 
-// The same number of teams, by a method that chooses among candidates.
+// The same number of teams, chosen among candidates.
 Document with_teams(Document document) {
   Settings& settings = document.settings;
   if (settings.method == Method::balanced)
@@ -105,7 +105,7 @@ std::string gap(const Compared& compared) {
              {points_ahead(compared.optimum.coverage, compared.greedy.coverage)});
 }
 
-// Robots that need not stand in pairs may cover more than the best pairs.
+// Balanced robots may cover more than the best teams.
 std::string balanced_beside(const Document& document, const Compared& compared) {
   Document other = document;
   other.settings.method = Method::balanced;
@@ -146,8 +146,8 @@ std::string as_json(const Compared& compared, Method asked, const std::string& b
 extern "C" {
 
 // Compares the teams of a link with the best choice of the same number, within this time. Returns
-// {"rows", "said"}: rows with a name, the coverage, the loads, whether the object is held, and the
-// chosen candidates; and sentences. Or returns {"problem"}: why there is nothing to compare.
+// {"rows", "said"}: rows of name, coverage, loads, form closure and chosen candidates; and
+// sentences. Or returns {"problem"}: why there is nothing to compare.
 EMSCRIPTEN_KEEPALIVE const char* optimum_compare(const char* link, double seconds) {
   using namespace evenlift;
   last().reset();
@@ -162,7 +162,7 @@ EMSCRIPTEN_KEEPALIVE const char* optimum_compare(const char* link, double second
   return hand_over(as_json(*last(), document->settings.method, balanced_beside(in_teams, *last())));
 }
 
-// Of the greedy choice, or of the best one, as SVG. Precondition: optimum_compare() returned rows.
+// The greedy choice, or the best one, as SVG; empty unless optimum_compare() returned rows.
 EMSCRIPTEN_KEEPALIVE const char* optimum_picture(int best) {
   using namespace evenlift;
   const std::optional<Compared>& compared = last();

@@ -11,9 +11,9 @@
 
 extern "C" {
 
-// A line of 0 and 1 (dark) for each row of modules, without the quiet zone; empty if the text is
-// too long. The generator chooses the version, the mask, and the strongest error correction that
-// fits that version.
+// A line for each row of modules, with 1 for dark and 0 for light, without the quiet zone; empty if
+// the text is too long. The generator chooses version, mask, and the strongest error correction
+// that fits it.
 EMSCRIPTEN_KEEPALIVE const char* qr_code(const char* text) {
   static std::array<std::uint8_t, qrcodegen_BUFFER_LEN_MAX> code, work;
   if (!qrcodegen_encodeText(text, work.data(), code.data(), qrcodegen_Ecc_LOW,

@@ -25,9 +25,9 @@ struct Task {
   BalancedProblem problem;
   std::optional<BalancedSearch> search;  // nothing before the start, and if no set of robots exists
   bool started = false;
-  std::optional<Placement> counted = {};  // with a capacity; then there is no search
+  std::optional<Placement> counted = {};  // with a capacity, in place of a search
   double capacity = 0;
-  std::optional<FailurePlan> plan = {};  // the count, once completed
+  std::optional<FailurePlan> plan = {};  // the completed count
 };
 std::optional<Task>& task() {
   static std::optional<Task> the_task;
@@ -72,17 +72,17 @@ bool has_ended(const Task& task) { return task.started && (!task.search || task.
 
 extern "C" {
 
-// For a polygon in the thesis's format, with settings as lines `name=value`, from these robots
-// (derive/robots_text.h) or, without robots, from its start. With a capacity, begins instead the
-// count of the robots needed if any one may fail. Returns 0 if a text is invalid.
+// Begins the search for a polygon in the thesis's format, with settings as lines `name=value`, from
+// `robots` (derive/robots_text.h), if not empty. With a capacity, begins instead the count of the
+// robots needed if any one may fail. Returns 0 if a text is invalid.
 EMSCRIPTEN_KEEPALIVE int balanced_begin(const char* polygon, const char* settings,
                                         const char* robots) {
   evenlift::task() = evenlift::read_task(polygon, settings, robots);
   return evenlift::task() ? 1 : 0;
 }
 
-// Continues for this number of milliseconds, or until the search ends; the start may take longer,
-// and a count is made in one call. Returns whether it has ended.
+// Continues for this number of milliseconds, or until the search ends; its start or a whole count
+// may take longer. Returns whether it has ended.
 EMSCRIPTEN_KEEPALIVE int balanced_go_on(double milliseconds) {
   if (!evenlift::task()) return 1;
   evenlift::Task& task = *evenlift::task();
@@ -97,7 +97,7 @@ EMSCRIPTEN_KEEPALIVE int balanced_go_on(double milliseconds) {
   return evenlift::has_ended(task) ? 1 : 0;
 }
 
-// Or the number of robots counted; empty without any.
+// The robots found, or the number counted; empty if there are none.
 EMSCRIPTEN_KEEPALIVE const char* balanced_robots() {
   const std::optional<evenlift::Task>& task = evenlift::task();
   if (task && task->plan) return evenlift::hand_over(evenlift::view::plan_text(*task->plan));

@@ -91,7 +91,7 @@ void carry_out(const Effects& effects) {
 }
 
 void show_cursor(Cursor cursor) {
-  // Their names in style sheets.
+  // As in CSS.
   constexpr const char* names[] = {"default",  "pointer", "crosshair",   "copy",       "grab",
                                    "grabbing", "move",    "nesw-resize", "nwse-resize"};
   static_assert(std::size(names) == static_cast<std::size_t>(Cursor::end_of_cursors));

@@ -40,15 +40,15 @@ std::string text_or_problem(const evenlift::Result<std::string>& text) {
 
 extern "C" {
 
-// The sample that a lesson names, whose text page_open_lesson() needs. Empty if the lesson has a
-// link instead, or cannot be read.
+// The sample named in a lesson, whose text page_open_lesson() needs. Empty if the lesson has a link
+// instead, or cannot be read.
 EMSCRIPTEN_KEEPALIVE const char* page_lesson_polygon(const char* text) {
   const evenlift::Result<evenlift::Lesson> lesson = evenlift::parse_lesson(text);
   return hand_over(lesson ? lesson->polygon : std::string());
 }
 
-// For the learner with this number (LessonStart: 0 anew, 1 join, 2 preview). Returns why the lesson
-// cannot be opened, or an empty text.
+// `number` is the learner's, `start` a LessonStart. Returns why the lesson cannot be opened, or an
+// empty text.
 EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* polygon, int start,
                                                   double number) {
   const auto most = static_cast<double>(evenlift::max_learner);
@@ -81,12 +81,12 @@ EMSCRIPTEN_KEEPALIVE const char* page_steps_that_exist(const char* text) {
   return hand_over(json::array(found));
 }
 
-// Of the open lesson, from 0.
+// `stop` counts from 0.
 EMSCRIPTEN_KEEPALIVE void page_go_to_stop(int stop) {
   carry_out({GoToStep{step_of(app().state, static_cast<std::uint32_t>(std::max(stop, 0)))}});
 }
 
-// At the step where the user left it; or, with `predict`, as a challenge from the first step.
+// Opens it where the user left it or, with `predict`, as a challenge from the first step.
 EMSCRIPTEN_KEEPALIVE void page_begin_walkthrough(int predict) {
   carry_out({OpenWalkthrough{}});
   Commands commands{LeaveScript{}, SetPredict{predict != 0}};
@@ -97,7 +97,7 @@ EMSCRIPTEN_KEEPALIVE void page_begin_walkthrough(int predict) {
   carry_out(std::move(commands));
 }
 
-// And its enlargement.
+// Presentation mode, and its enlargement.
 EMSCRIPTEN_KEEPALIVE int page_presenting() { return app().state.view.presenting ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE double page_zoom() { return app().state.session.screen.zoom; }
 
@@ -113,16 +113,16 @@ EMSCRIPTEN_KEEPALIVE int page_walkthrough_is_open() {
   return walkthrough_is_open(app().state) ? 1 : 0;
 }
 
-// 0 without an open lesson, 1 if its polygon was edited since, otherwise 2.
+// 0 without an open lesson, 1 if its polygon was edited, otherwise 2.
 EMSCRIPTEN_KEEPALIVE int page_script() {
   const AppState& state = app().state;
   return !state.view.walkthrough.script ? 0 : script_is_true(state) ? 2 : 1;
 }
 
-// The progress of the walkthrough: {"at", "count", "guesses", "right", "step", "told", "passed"}:
-// the position from 0; the number of stops, of guesses, and of right guesses; the number of the
-// step; the number of choices shown without a question, because three of their kind had been asked;
-// and the number of questions without a guess. Empty without a walkthrough.
+// The progress of the walkthrough: the position from 0 ("at"); the number of stops ("count"), of
+// guesses, and of right guesses; the number of the step; the number of choices shown without a
+// question, because three of their kind had been asked ("told"), and of questions without a guess
+// ("passed"). Empty without a walkthrough.
 EMSCRIPTEN_KEEPALIVE const char* page_lesson() {
   const AppState& state = app().state;
   if (!walkthrough_is_open(state)) return hand_over({});
@@ -137,8 +137,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_lesson() {
                                  {"passed", std::to_string(guesses.passed_over())}}));
 }
 
-// At the end of the open lesson or task; also the answer, in paragraphs separated by "\n". Empty
-// without a question.
+// The question at the end of the open lesson or task, and its answer, in paragraphs separated by
+// "\n". Empty without a question.
 EMSCRIPTEN_KEEPALIVE const char* page_lesson_question() {
   const evenlift::Lesson* lesson = open_lesson_or_task();
   return hand_over(lesson ? lesson->question : std::string());
@@ -149,7 +149,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_lesson_answer() {
   return hand_over(lesson ? lesson->answer : std::string());
 }
 
-// The open task and what is reached: {"title", "words", "may", "goals": [{"words", "value",
+// The open task and its goals: {"title", "words", "may", "goals": [{"words", "value",
 // "kept"}], "changed", "kept", "number", "numbered"}. If `numbered`, another number of the learner
 // makes another task. Empty without a task.
 EMSCRIPTEN_KEEPALIVE const char* page_task() {

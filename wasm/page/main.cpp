@@ -1,7 +1,7 @@
-// Starts the page and makes its frames: SDL2 provides the events, Emscripten WebGL 2, and Dear
-// ImGui draws. A frame is drawn only on request. Dear ImGui's own backend for SDL2 is not used: it
-// reads the place of the mouse, not of the press, draws at whole CSS pixels, and contains code for
-// gamepads.
+// Starts the page and makes its frames: SDL2 provides the events, Emscripten provides WebGL 2, and
+// Dear ImGui draws. A frame is drawn only on request. Dear ImGui's own backend for SDL2 is unused:
+// it reads where the mouse is, not where it was pressed, draws at whole CSS pixels, and contains
+// code for gamepads.
 //
 // All input is handled in order, however long a frame takes. The pointer's events wait in a queue
 // (sdl_input.h) for passes: a pass lets the pointer act on the drawing and the panels, up to its
@@ -45,12 +45,12 @@ struct Page {
   int frames_due = 0;
   bool frame_scheduled = false;
   bool context_lost = false;
-  bool passing = false;  // a pass is under way, whose calls to the page may call back
+  bool passing = false;  // during a pass, which may call the page, and the page may call back
   int passes_due = 0;    // until the panels are laid out; no press is handled before
   double fonts_for_ratio = 0;
   double last_frame_at = 0;  // seconds
   double frames = 0;
-  double press_time = 0;  // of the press that the browser reports: page_press()
+  double press_time = 0;  // see page_press()
   int press_clicks = 0;
   Cursor cursor = Cursor::arrow;
 };
@@ -201,7 +201,7 @@ void catch_up() {
   while (page.input.waiting()) pass(false);
 }
 
-// Without the buffers that flat drawing does not need.
+// Omits the buffers that flat drawing does not need.
 bool make_webgl_context() {
   EmscriptenWebGLContextAttributes attributes;
   emscripten_webgl_init_context_attributes(&attributes);
@@ -213,8 +213,7 @@ bool make_webgl_context() {
   return context > 0 && emscripten_webgl_make_context_current(context) == EMSCRIPTEN_RESULT_SUCCESS;
 }
 
-// Returns whether there is a canvas to draw on. Without one, all calls but those about it still
-// work.
+// Returns whether there is a canvas to draw on. Without one, calls that do not concern it work.
 bool start() {
   if (!make_webgl_context()) return false;
   SDL_SetHint(SDL_HINT_EMSCRIPTEN_KEYBOARD_ELEMENT, "#canvas");
@@ -252,7 +251,7 @@ EMSCRIPTEN_KEEPALIVE void page_resize(double width, double height, double ratio,
   page.canvas_height = device_height;
   SDL_SetWindowSize(page.window, static_cast<int>(std::lround(width)),
                     static_cast<int>(std::lround(height)));
-  // At once: the browser would show the old frame stretched until the next one.
+  // At once, because the browser stretches the old frame until the next one.
   if (page.frames > 0) draw();
   ask_for_frames(frames_after_input);
 }
@@ -293,8 +292,8 @@ EMSCRIPTEN_KEEPALIVE void page_wake() { ask_for_frames(1); }
 // Handles all input so far. web/page/program.js calls it before each call but page_frame().
 EMSCRIPTEN_KEEPALIVE void page_catch_up() { catch_up(); }
 
-// The press that SDL will receive next: its time in milliseconds, and its count among the presses
-// in one place; 0 if the browser does not count them.
+// The press that SDL will receive next: its time in milliseconds, and its number among the presses
+// in one place (0 if the browser does not count them).
 EMSCRIPTEN_KEEPALIVE void page_press(double time, int clicks) {
   page.press_time = time;
   page.press_clicks = clicks;
@@ -307,7 +306,7 @@ EMSCRIPTEN_KEEPALIVE void page_ask() {
   ask_for_frames(frames_after_input);
 }
 
-// Until nothing changes any more.
+// Makes passes until no panel changes.
 static void lay_out_panels() {
   if (page.passing || page.frames == 0) return;
   do pass(false);
@@ -325,7 +324,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_controls() {
   return hand_over(controls_json(app().state.session.screen.zoom));
 }
 
-// The larger fonts (letters.h), each as its bytes and their number.
+// Takes the larger fonts (letters.h).
 EMSCRIPTEN_KEEPALIVE void page_letters(const unsigned char* regular, int regular_size,
                                        const unsigned char* semibold, int semibold_size) {
   give_fonts({regular, regular + regular_size}, {semibold, semibold + semibold_size});
@@ -343,9 +342,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_control(const char* name) {
                                       : place_json(found->place, app().state.session.screen.zoom));
 }
 
-// As a pointer would: 0 presses the control, 1 selects the choice number `value`, 2 moves it to
-// `value`, 3 scrolls its card until it is visible, 4 moves it to `value` and confirms that, 5
-// withdraws the typed text.
+// Acts on a control as a pointer would. `what` is a ControlRequest.
 EMSCRIPTEN_KEEPALIVE void page_ask_control(int what, const char* card, const char* name,
                                            double value) {
   if (what < 0 || what > static_cast<int>(ControlRequest::withdraw)) return;

@@ -50,7 +50,7 @@ std::string link_or_nothing(const Document& document) {
   return link ? std::move(link).value() : std::string();
 }
 
-// From 1; nothing for 0.
+// `number` counts from 1; nothing for 0.
 std::optional<Method> method_of(int number) {
   if (number < 1 || number > static_cast<int>(std::size(all_methods))) return std::nullopt;
   return all_methods[number - 1];
@@ -145,7 +145,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_load(const char* text) {
   return no_error();
 }
 
-// For the fragment of an address, which is a link or empty.
+// Like page_load(), for the link in an address's fragment.
 EMSCRIPTEN_KEEPALIVE const char* page_open_link(const char* fragment) {
   Result<Opened> document = read_link(fragment);
   if (!document) return hand_over(sentence(document.error()));
@@ -186,8 +186,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_without_step(const char* text) {
 
 // --- Challenges: the object of a link with robots that the visitor places
 
-// The link (or, without one, that of a sample) with this number of robots to place, unless it has
-// robots placed by hand; any other text unchanged.
+// A link to the object of this link (or, without one, to a sample) with this number of robots to
+// place. Other text, and a link with robots placed by hand, stay unchanged.
 EMSCRIPTEN_KEEPALIVE const char* page_as_challenge(const char* text, int robots) {
   Result<Document> document =
       *text ? evenlift::decode_link(text) : evenlift::read_polygon(opening_sample());
@@ -203,7 +203,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_as_challenge(const char* text, int robots)
   return hand_over(link_or_nothing(*document));
 }
 
-// Of the object alone: nothing in it tells where robots should stand.
+// A link to the object alone, which does not show where robots should stand.
 EMSCRIPTEN_KEEPALIVE const char* page_challenge_link() {
   Document document = last_good(app().state);
   evenlift::Settings settings;
@@ -218,7 +218,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_challenge_link() {
 
 EMSCRIPTEN_KEEPALIVE void page_set_challenge(int on) { carry_out({SetChallenge{on != 0}}); }
 
-// The robots are beneath the object again, and the page's own answer is hidden.
+// Puts the robots beneath the object again, and hides the page's own answer.
 EMSCRIPTEN_KEEPALIVE void page_try_again(int robots) {
   if (robots < 1) return;
   carry_out({EndEdit{}, SetChallenge{true}, Compare{},
@@ -228,7 +228,7 @@ EMSCRIPTEN_KEEPALIVE void page_show_answer() {
   carry_out({SetChallenge{false}, Compare{Method::balanced}});
 }
 
-// Of the robots and, if they are the second picture, of balanced robots: an array of one or two
+// The scores of the robots and, if the second picture shows them, of balanced robots: an array of
 // {"robots", "most", "spread", "covered", "numbers": [most, spread, covered, held]}.
 EMSCRIPTEN_KEEPALIVE const char* page_scores() {
   const AppState& state = app().state;
@@ -293,7 +293,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_draft() {
                                            : std::string());
 }
 
-// The polygon being drawn, as text for storage; and back.
+// The polygon being drawn, as text for storage, which page_resume_drawing() reads.
 EMSCRIPTEN_KEEPALIVE const char* page_drawing() {
   const evenlift::view::View& view = app().state.view;
   return hand_over(drawing_text(view.drawing, view.tool == Tool::hole));
@@ -321,7 +321,7 @@ EMSCRIPTEN_KEEPALIVE void page_preferences(int dark, int reduced_motion, int coa
   carry_out({SetPreferences{dark != 0, reduced_motion != 0, coarse_pointer != 0}});
 }
 
-// The preferences that the browser keeps apart from the document; and back.
+// The preferences that the browser stores apart from the document; page_keep() reads them.
 EMSCRIPTEN_KEEPALIVE const char* page_kept() {
   const AppState& state = app().state;
   return hand_over(kept_text({state.view.motion}));
@@ -331,8 +331,8 @@ EMSCRIPTEN_KEEPALIVE void page_keep(const char* lines) {
   carry_out({KeepMotion{read_kept(lines).motion}});
 }
 
-// A step for storage, as History::kept() counts it: {"edit", "method", "link"}, where method 0
-// means none, and a document that is too large has no link. Empty if there is no such step.
+// A step for storage (History::kept()): {"edit", "method", "link"}. Method 0 means none; a document
+// that is too large has an empty link. Empty if there is no such step.
 EMSCRIPTEN_KEEPALIVE const char* page_kept_step(int redo, int index) {
   const std::optional<History::Kept> kept =
       app().state.work.history.kept(redo != 0, static_cast<std::size_t>(std::max(index, 0)));
@@ -344,8 +344,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_kept_step(int redo, int index) {
                     {"link", json::text(kept->link)}}));
 }
 
-// The number of the second method, from 1, or 0 without one, for storage; and back, without a step
-// of undo.
+// The second method's number for storage, from 1, or 0 without one. page_compare() restores it
+// without a step of undo.
 EMSCRIPTEN_KEEPALIVE int page_compared() {
   const std::optional<evenlift::Method>& method = app().state.work.second_method;
   return method ? static_cast<int>(*method) + 1 : 0;
@@ -354,7 +354,7 @@ EMSCRIPTEN_KEEPALIVE void page_compare(int method) {
   if (const auto second = method_of(method)) carry_out({KeepComparison{*second}});
 }
 
-// Starts a new history, or adds the newest kept step to undo or redo.
+// Clears the history, or adds the step that will be undone or redone next.
 EMSCRIPTEN_KEEPALIVE void page_forget_steps() { carry_out({ForgetSteps{}}); }
 EMSCRIPTEN_KEEPALIVE void page_add_step(int redo, int edit, int method, const char* link) {
   carry_out({AddStep{redo != 0, {static_cast<Edit>(edit), {method_of(method), {}}, link}}});
@@ -365,12 +365,12 @@ EMSCRIPTEN_KEEPALIVE void page_cover(double left, double right, double foot) {
   carry_out({CoverScreen{left, right, foot}});
 }
 
-// For a card at the foot of the drawing, whether or not there is one.
+// The place for a card, whether or not there is one.
 EMSCRIPTEN_KEEPALIVE const char* page_card_seat() {
   return hand_over(in_css_pixels(card_seat(app().state)));
 }
 
-// A card would cover it. Empty if none is open.
+// The open list's place, which a card would cover; empty if none is open.
 EMSCRIPTEN_KEEPALIVE const char* page_open_list() {
   return hand_over(open_list() ? in_css_pixels(*open_list()) : std::string());
 }
@@ -384,7 +384,7 @@ EMSCRIPTEN_KEEPALIVE void page_make_room(double height) {
   if (now.foot != before.foot || now.card != before.card) browser::request_frame();
 }
 
-// Behind the canvas, in polygon coordinates; without a width, removes the picture.
+// Puts the picture behind the canvas, in polygon coordinates; removes it if a size is 0.
 EMSCRIPTEN_KEEPALIVE void page_backdrop(double left, double bottom, double width, double height) {
   if (width > 0 && height > 0)
     carry_out({LayPicture{{left, bottom}, {left + width, bottom + height}}});
@@ -392,7 +392,7 @@ EMSCRIPTEN_KEEPALIVE void page_backdrop(double left, double bottom, double width
     carry_out({TakePictureAway{}});
 }
 
-// Its present place: {"left", "bottom", "width"}, or empty.
+// The picture's place: {"left", "bottom", "width"}, or empty.
 EMSCRIPTEN_KEEPALIVE const char* page_backdrop_place() {
   const std::optional<Backdrop>& picture = app().state.work.backdrop;
   if (!picture) return hand_over({});
@@ -415,7 +415,6 @@ EMSCRIPTEN_KEEPALIVE void page_notice(const char* text, int problem) {
   carry_out({ShowNotice{{problem ? Notice::Kind::problem : Notice::Kind::info, text}}});
 }
 
-// The notice was shown long enough to read it.
 EMSCRIPTEN_KEEPALIVE void page_end_notice() { carry_out({EndNotice{}}); }
 
 // A key named as in KeyboardEvent.key. Returns whether the page used it; if not, the browser

@@ -113,7 +113,7 @@ bool SdlInput::ends_pass(const Event& next, bool laid_out) const {
   if (ended_) return true;
   if (wheel_) return next.what != What::wheel;
   if (pinch_) return next.what != What::pinch;
-  // Deliver the drag before the release.
+  // Deliver the drag first.
   const bool turns = next.what == What::up || next.what == What::wheel || next.what == What::pinch;
   return (turns && dragged_) || (next.what == What::down && !laid_out);
 }

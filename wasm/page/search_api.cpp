@@ -1,4 +1,4 @@
-// The results of the search for balanced robots (web/page/search.js), and of the choice of teams
+// Takes the results of the search for balanced robots (web/page/search.js), and of choosing teams
 // while a large object is dragged (web/page/choosing.js).
 #include <emscripten/emscripten.h>
 
@@ -15,8 +15,7 @@ using namespace evenlift::view;
 
 extern "C" {
 
-// The robots found by the search with this number, and whether they are its last ones; or the
-// number of robots counted.
+// The robots, or their count, found by the search with this number, and whether it has ended.
 EMSCRIPTEN_KEEPALIVE void page_take_robots(double number, const char* robots, int ended) {
   carry_out({TakeRobots{static_cast<std::uint64_t>(number), robots, ended != 0}});
 }
@@ -26,8 +25,7 @@ EMSCRIPTEN_KEEPALIVE void page_search_failed(double number) {
   carry_out({TakeRobots{static_cast<std::uint64_t>(number), std::nullopt}});
 }
 
-// The choice for the document with this number, `size` bytes of doubles: none if the document is
-// refused.
+// The choice for the document with this number: `size` bytes of doubles, 0 if it is refused.
 EMSCRIPTEN_KEEPALIVE void page_take_choice(double number, const unsigned char* bytes,
                                            std::size_t size) {
   std::vector<double> choice(size / sizeof(double));
@@ -37,7 +35,7 @@ EMSCRIPTEN_KEEPALIVE void page_take_choice(double number, const unsigned char* b
   carry_out(std::move(commands));
 }
 
-// Nothing can choose for the document with this number.
+// No choice is possible for the document with this number.
 EMSCRIPTEN_KEEPALIVE void page_choice_failed(double number) {
   carry_out({TakeChoice{static_cast<std::uint64_t>(number), std::nullopt}});
 }

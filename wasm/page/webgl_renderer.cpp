@@ -6,11 +6,11 @@
 namespace evenlift::view {
 namespace {
 
-// By their locations in the shader.
+// The attributes' locations in the shader.
 enum : GLuint { position, texture_position, colour, to_clip_space };
 
-// to_clip_space holds a scale (x, y) and an offset (z, w) for all vertices. It is an attribute
-// without an array, because a uniform's location would have to be queried.
+// `to_clip_space` holds a scale (x, y) and an offset (z, w) for all vertices. It is an attribute
+// without an array, because the location of a uniform must be queried.
 constexpr const char* vertex_shader = R"(#version 300 es
 precision highp float;
 layout(location = 0) in vec2 position;
@@ -48,7 +48,7 @@ GLuint link_program() {
   for (const GLuint shader :
        {compile(GL_VERTEX_SHADER, vertex_shader), compile(GL_FRAGMENT_SHADER, fragment_shader)}) {
     glAttachShader(program, shader);
-    glDeleteShader(shader);  // stays alive as long as the program
+    glDeleteShader(shader);  // lives as long as the program
   }
   glLinkProgram(program);
   return program;
@@ -83,7 +83,6 @@ void destroy(ImTextureData& texture) {
   texture.SetStatus(ImTextureStatus_Destroyed);  // created again if Dear ImGui still needs it
 }
 
-// Creates a texture, updates part of one, or removes one, as Dear ImGui requests.
 void answer(ImTextureData& texture) {
   switch (texture.Status) {
     case ImTextureStatus_WantCreate:
@@ -150,7 +149,7 @@ void WebglRenderer::start() {
 #if IMGUI_VERSION_NUM >= 19200
   ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
   ImGuiPlatformIO& platform = ImGui::GetPlatformIO();
-  platform.Renderer_TextureMaxWidth = platform.Renderer_TextureMaxHeight = 4096;  // all devices
+  platform.Renderer_TextureMaxWidth = platform.Renderer_TextureMaxHeight = 4096;  // the usual limit
 #else
   fonts_ = make_texture();
 #endif
@@ -195,7 +194,7 @@ void WebglRenderer::draw(ImDrawData& frame, const Colour& ground) {
   const ImVec4 clear = ground.vec();
   glViewport(0, 0, width, height);
   glDisable(GL_SCISSOR_TEST);
-  // A translucent background needs its colours multiplied by their opacity.
+  // The browser expects colours multiplied by their opacity.
   glClearColor(clear.x * clear.w, clear.y * clear.w, clear.z * clear.w, clear.w);
   glClear(GL_COLOR_BUFFER_BIT);
   glEnable(GL_SCISSOR_TEST);

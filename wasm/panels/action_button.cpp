@@ -12,7 +12,7 @@ namespace evenlift::view {
 
 namespace {
 
-// Nothing for actions without an active tool or state.
+// Nothing for actions without a tool.
 std::optional<bool> is_on(ActionId id, const AppState& state) {
   if (id == ActionId::draw) return draws(state.view.tool) || state.view.tool == Tool::weight;
   if (id == ActionId::transform) return state.view.tool == Tool::transform;

@@ -1,4 +1,4 @@
-// The present tool's bar: the buttons for drawing a polygon, or for transforming it.
+// The bar of the present tool or the selected vertex.
 #include <algorithm>
 #include <initializer_list>
 #include <utility>
@@ -54,14 +54,14 @@ float row_width(const Ui& ui, std::initializer_list<const char*> labels) {
   return width;
 }
 
-// For a bar below the toolbar, without its own margins.
+// The width for a bar below the toolbar, without the bar's margins.
 float room_of_bar(const Ui& ui) {
   return static_cast<float>(std::min(ui.layout.toolbar.right, ui.layout.free.right) -
                             ui.layout.toolbar.left) -
          16;
 }
 
-// Of the next edge, including the fields' names.
+// The fields of the next edge; width_of() includes their names.
 struct FieldWidths {
   float length, angle;
 };
@@ -80,8 +80,7 @@ bool is_roomy(const Ui& ui) {
 
 void run(const Ui& ui, ActionId id) { action(id).run(ui.state, ui.commands); }
 
-// A new shape, a hole in the object, or weights on it. The open object must be good for the latter
-// two.
+// Holes and weights need an object that is not refused.
 constexpr std::pair<const char*, Tool> drawn[] = {
     {"Shape", Tool::draw}, {"Hole", Tool::hole}, {"Weight", Tool::weight}};
 
@@ -93,7 +92,7 @@ float choice_width(const Ui& ui) {
   return can_choose_drawn(ui) ? row_width(ui, {drawn[0].first, drawn[1].first, drawn[2].first}) : 0;
 }
 
-// In the present row, each followed by another item.
+// In the present row; another item must follow.
 void choose_drawn(const Ui& ui) {
   for (const auto& [label, tool] : drawn) {
     if (toggle_button(ui, label, label, label, word_button_width(ui, label),
@@ -158,7 +157,7 @@ void draw_drawing_bar(const Ui& ui) {
             ImVec2(at.x, at.y + (ui.control() - text.y) / 2), ui.theme.second_text, hint);
 }
 
-// Of the buttons that turn and scale, as long as there is room.
+// The longest names of the buttons that turn and scale for which there is room.
 struct WholeNames {
   const char *right, *left, *larger, *smaller;
 };
@@ -224,8 +223,8 @@ void draw_edge_fields(const Ui& ui, float length_width, float angle_width) {
                                   angle_width);
   if (length.moved) ui.push(TypeEdge{length.moved, {}, length.pressed});
   if (angle.moved) ui.push(TypeEdge{{}, angle.moved, angle.pressed});
-  // Enter in an empty field places the edge if the other number was typed; otherwise it acts as on
-  // the drawing.
+  // Enter without a new number places the edge if one was typed before; otherwise it acts as on the
+  // drawing.
   const bool entered = (length.pressed && !length.moved) || (angle.pressed && !angle.moved);
   if (entered && (drawing.length || drawing.degrees))
     ui.push(TypeEdge{{}, {}, true});
@@ -292,7 +291,7 @@ void draw_snap_choices(const Ui& ui) {
 
 void draw_tool_bar(const Ui& ui) {
   const AppState& state = ui.state;
-  // From the next frame on, all below the panels avoids the bar.
+  // From the next frame on, everything beneath the panels avoids the bar.
   const bool shown = has_tool_bar(state);
   if ((in_last_frame("has tool bar", shown, shown) != 0) != shown) ui.push(LayOutAgain{});
   if (!shown) return;
@@ -318,7 +317,7 @@ void draw_tool_bar(const Ui& ui) {
   const float chips = snap_chips_width() + (chooses ? choice_width(ui) + 2 * gap : 0);
   const double end = static_cast<double>(ImGui::GetItemRectMax().x + chips) + 12 + 8;
   const bool fits = end <= at.right && !over_panel, snaps = fits || !snaps_in_menu(ui);
-  // In their own row if there is height for it.
+  // Otherwise they have their own row, if there is height for it.
   if (fits) ImGui::SameLine(0, 12);
   if (chooses) choose_drawn(ui);
   if (chooses && snaps) ImGui::SameLine(0, gap);

@@ -1,4 +1,4 @@
-// The capacity of one robot, and the number of robots needed.
+// A robot's capacity, and the number of robots needed.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@
 namespace evenlift::view {
 namespace {
 
-// 100 changes by tens, 12 by ones.
+// 100 goes up to 110, down to 99.
 double step_for(double value, int direction) {
   const double below = value * (direction < 0 ? 0.999999 : 1);
   return std::pow(10.0, std::floor(std::log10(std::max(below, 1e-6))) - 1);
@@ -29,7 +29,7 @@ double stepped(double value, int by) {
 
 namespace {
 
-// The overloaded robots and the number needed, in a constant height, so that nothing below moves.
+// The overloaded robots and the number needed, at a constant height so that nothing below moves.
 void draw_need(const Ui& ui) {
   const Derived& facts = ui.state.derived();
   const CapacityPlan* plan = facts.plan && !facts.plan_due ? &*facts.plan : nullptr;
@@ -41,7 +41,7 @@ void draw_need(const Ui& ui) {
   Settings changed = now;
   if (plan && now.method == Method::balanced) changed.robots = plan->team_size;
   if (plan && now.method != Method::balanced) changed.teams = plan->teams;
-  // Fewer robots would do for the loads, but may tip or slide; the number needed while one fails is
+  // Only if one is overloaded: fewer robots may tip or slide. The number needed while one fails is
   // unknown.
   const bool can_take =
       plan && plan->possible && !(changed == now) && !failing(ui.state) && is_overloaded(ui.state);

@@ -1,4 +1,4 @@
-// The conditions under which the object is carried, behind a row that opens them.
+// The conditions under which the object is carried, behind a button that opens them.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -24,7 +24,7 @@ constexpr LengthRow uneven{Setting::uneven, "Uneven by",
                            "How much the ground, or a robot's height, is off at most",
                            "Unevenness of the ground"};
 
-// A ratio that goes up and down by a fixed step.
+// A ratio with a fixed step.
 struct RatioRow {
   double Carrying::*member;
   Setting setting;
@@ -73,7 +73,7 @@ const OptionalRow extra{Setting::extra,
                         "no extra",
                         "None"};
 
-// One of the two overlays that explain these numbers.
+// Shows or hides an overlay that explains these numbers.
 void draw_show(const Ui& ui, bool Overlays::*overlay, ActionId toggle, const char* show,
                const char* hide) {
   const bool on = shown(ui.state).overlays.*overlay;

@@ -1,4 +1,4 @@
-// The effect of each robot's failure, as a sign; a press on it lets the robot fail.
+// The effect of each robot's failure, as a sign; pressing it makes the robot fail.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -16,13 +16,13 @@ namespace {
 constexpr float caption_height = 16, least_height = 42, widest_place = 48;
 constexpr float least_for_number = 34;  // width of a place with room for a robot's number
 
-// A disc if the others carry the object, a triangle if they do so less well, a cross if it falls.
-// With room for a line only, a longer line is worse.
+// A disc if the others carry the object, a triangle if it may tip or one is overloaded, a cross if
+// it falls. Where only a line has room, longer is worse.
 void draw_sign(const Theme& theme, ImDrawList& list, ImVec2 at, float reach, Mood mood) {
   const bool good = mood == Mood::good, falls = mood == Mood::falls;
   const ImU32 colour = (good ? theme.hull_outline : falls ? theme.red : theme.amber).packed();
   if (reach < 3.5f) {
-    // Of one width: otherwise some would look darker.
+    // All have one width, as wider ones would look darker.
     const float half = good    ? 2.5f
                        : falls ? 9.0f
                                : 5.5f,
@@ -53,7 +53,7 @@ void draw_signs(const Ui& ui, const RowOfPlaces& row, std::size_t count) {
               reach = std::clamp(each / 2 - 1.5f, 0.8f, 7.0f),
               y = (row.low.y + caption_height + row.high.y) / 2;
   for (std::size_t i = 0; i < count; ++i) {
-    const float aside = each < least_for_number ? 0.0f : 5.0f;  // sign and number in the middle
+    const float aside = each < least_for_number ? 0.0f : 5.0f;  // centres sign and number together
     const ImVec2 at(row.low.x + each * (static_cast<float>(i) + 0.5f) - aside, y);
     const bool failed = failing(ui.state) && failing(ui.state)->robot == i;
     if (failed || row.hovered == i) {

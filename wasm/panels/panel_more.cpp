@@ -1,5 +1,4 @@
-// Seldom-used settings, behind a row that opens them: free positions and goal of teams, the model
-// of the shown loads, the C uncertainty, units, and the clearance and survival of balanced robots.
+// Seldom-used settings, behind a button that opens them.
 #include <algorithm>
 #include <string>
 
@@ -94,7 +93,6 @@ void draw_survive(const Ui& ui) {
   ui.push(SetSettings{changed});
 }
 
-// At the best place of two edges, or anywhere in their range.
 void draw_positions(const Ui& ui) {
   Settings changed = settings(ui.state);
   constexpr Choice positions[] = {{"Best", "one place for two edges"},

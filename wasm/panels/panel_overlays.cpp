@@ -1,4 +1,4 @@
-// The overlays: switches, and the legend of the picture.
+// The overlays' switches, also the legend of the picture.
 #include <algorithm>
 #include <iterator>
 
@@ -46,7 +46,7 @@ constexpr Overlay overlays[] = {
      "Where the extra load may stand: in the striped part it lifts a robot off or overloads one (Shift+L)"},
 };
 
-// Null if the method can fill the overlay.
+// Null if the method can have the overlay.
 const char* why_none(Method method, const Overlay& overlay) {
   const bool weighs = !is_one_team(method) || overlay.shown != &Overlays::candidates;
   return weighs ? nullptr : "These robots are not chosen among candidate chords";
@@ -59,7 +59,7 @@ bool is_offered(const Shown& shown, const Overlay& overlay) {
   return true;
 }
 
-// Whether it shows the lines of balanced robots, not chords.
+// Whether it shows lines to C, not chords.
 bool shows_lines(Method method, const Overlay& overlay) {
   return overlay.shown == &Overlays::chords && is_one_team(method);
 }
@@ -103,7 +103,7 @@ void draw_heat_key(const Ui& ui) {
                                     settings(ui.state).weight;
     const std::string text = last ? "none" : plain(force);
     const ImVec2 size = text_size(Face::tiny, text);
-    // Each level is at the border of two bands; the last one is a word.
+    // Each number is at the border of two bands; the last band has a word.
     const float x = last ? left + (each - size.x) / 2 : left + each - size.x / 2;
     if (i + 2 == bands || x < written + 4) continue;
     written = x + size.x;

@@ -31,7 +31,7 @@ void draw_play(const Ui& ui, float size) {
   ImGui::SameLine(0, 0);
 }
 
-// Over the track, where chapters begin.
+// Marks on the track where chapters begin.
 void draw_chapters(const Ui& ui, ImVec2 low, ImVec2 high, std::size_t parts) {
   const float knob = knob_radius(ui), from = low.x + knob, to = high.x - knob;
   const float y = (low.y + high.y) / 2;
@@ -129,7 +129,6 @@ void draw_menu(const Ui& ui) {
   end_choices(ui);
 }
 
-// At the right end of the row.
 void draw_leave(const Ui& ui, float size) {
   if (ui.state.session.screen.embed) {
     if (icon_button(ui, "out", Icon::open_out, true, "Open in evenlift", size)) ui.push(OpenPage{});
@@ -144,7 +143,7 @@ void draw_leave(const Ui& ui, float size) {
 
 }  // namespace
 
-// For little room: the timeline between the most used buttons, and a menu with the others.
+// For little room: the most used buttons, the timeline, and a menu with the other buttons.
 void draw_player_row(const Ui& ui) {
   const float width = ImGui::GetContentRegionAvail().x;
   const bool leaves = ui.state.session.screen.embed || ui.state.view.presenting || !ui.layout.wide;
@@ -168,7 +167,7 @@ void draw_player_row(const Ui& ui) {
   ImGui::PopStyleVar();
 }
 
-// Timeline, buttons and switches. A menu has those that do not fit.
+// A menu has the buttons and switches that do not fit.
 void draw_player(const Ui& ui) {
   const float width = ImGui::GetContentRegionAvail().x, size = ui.control();
   const float needed = 7 * size + 12 + text_size(Face::label, words_of_place(ui)).x + place_gap +

@@ -1,4 +1,4 @@
-// The robots' size and the no-go edges, behind a row that opens them.
+// The robots' size and the no-go edges, behind a button that opens them.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -30,7 +30,7 @@ constexpr LengthRow rows[] = {
     {Setting::robot_gap, "Gap", "Free distance between two robots", "Gap between two robots"},
 };
 
-// Up to a tenth of the object, for which few places have room; more can be typed.
+// The slider ends at a tenth of the object's size: larger robots rarely fit, but can be typed.
 void draw_radius(const Ui& ui) {
   Settings changed = settings(ui.state);
   const double radius = changed.robot.radius, size = size_of_object(ui.state),
@@ -51,7 +51,7 @@ void draw_radius(const Ui& ui) {
   if (moved.released) ui.push(EndEdit{});
 }
 
-// In place of the brush, typed no-go edges.
+// No-go edges, typed or painted.
 void draw_marks_row(const Ui& ui) {
   const float width = labelled(
       ui, "No-go edges",
@@ -88,7 +88,7 @@ void draw_size_rows(const Ui& ui) {
 }  // namespace
 
 void draw_robot_size(const Ui& ui) {
-  // Methods that do not use the row keep it, so that nothing below moves.
+  // The button stays even if the method does not use it, so that nothing below moves.
   const bool useful = takes_sizes(settings(ui.state).method);
   const bool open = useful && ui.state.view.robot_open;
   const float head = ImGui::GetCursorPosY();

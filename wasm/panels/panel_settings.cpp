@@ -30,7 +30,7 @@ void draw_method(const Ui& ui) {
   ui.push(SetMethod{methods[*chosen].method});
 }
 
-// Null if it has an effect.
+// Null if the ratio has an effect.
 const char* why_no_ratio(Method method) {
   if (method == Method::given) return "Robots placed by hand are not chosen by their load ratio";
   if (method == Method::balanced)
@@ -105,8 +105,7 @@ void draw_centre(const Ui& ui) {
     ui.push(ReleaseCentre{});
 }
 
-// One line: the greatest load, its spread, coverage, and whether the object is held. Below it, a
-// button shows as many balanced robots beside these.
+// The score, and a button that shows the same number of balanced robots in a second picture.
 void draw_score(const Ui& ui) {
   if (!ui.state.derived().placement) return;
   text_block_of(Face::label, ui.theme.second_text, score(ui.state),
@@ -118,7 +117,6 @@ void draw_score(const Ui& ui) {
   if (ImGui::IsItemHovered()) tip(ui, "As many balanced robots, in a second picture");
 }
 
-// Back to the places before they were moved by hand.
 void draw_reset(const Ui& ui, float width) {
   ImGui::SameLine(0, 8);
   if (flat_button(ui, "reset robots", "Reset", width)) ui.push(ResetRobots{});
@@ -142,14 +140,13 @@ void draw_robots_stepper(const Ui& ui) {
   ui.push(SetSettings{changed});
 }
 
-// Of robots placed by hand; also the button that makes their loads equal.
+// For robots placed by hand, with the button that makes their loads equal, and their score.
 void draw_supports_stepper(const Ui& ui) {
   const std::size_t robots = settings(ui.state).supports.size();
   constexpr float button = 92;
   const float width = labelled(
       ui, "Robots", "One more goes where it adds most to the lifting base; drag any robot");
-  const bool challenge = ui.state.view.challenge;  // the challenge's card has the score, and no
-                                                   // help
+  const bool challenge = ui.state.view.challenge;  // its card has the score; no help is given
   const int by =
       stepper(ui, "supports", std::to_string(robots), challenge ? width : width - button - 8,
               {.can_lower = robots > 1,
@@ -166,7 +163,6 @@ void draw_supports_stepper(const Ui& ui) {
 
 }  // namespace
 
-// With the least margin of a hold.
 void draw_goal(const Ui& ui) {
   Settings changed = settings(ui.state);
   constexpr Choice goals[] = {{"Cover", "most of the object above the lifting base"},
@@ -229,7 +225,7 @@ void draw_teams_stepper(const Ui& ui) {
 
 namespace {
 
-// Two sections that open below their buttons, which are in one row.
+// Two buttons in one row; their sections open below them.
 void draw_further_settings(const Ui& ui) {
   constexpr float gap = 8;
   const float head = ImGui::GetCursorPosY(), half = (ImGui::GetContentRegionAvail().x - gap) / 2;

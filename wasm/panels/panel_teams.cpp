@@ -1,4 +1,4 @@
-// The teams as a table: two loads as a balance about the middle, and the load ratio.
+// A table of the teams: two loads as bars from the middle, and the load ratio.
 #include <algorithm>
 
 #include "evenlift/output/words.h"
@@ -50,7 +50,7 @@ Columns columns(const Ui& ui, float left, float width) {
       numbers};
 }
 
-// For the greatest load.
+// The length of the bar for the greatest load.
 float full_bar(const Columns& c) { return std::max(12.0f, c.half - c.text); }
 
 void right_aligned(ImDrawList& list, Face face, float right, float middle_y, Colour colour,
@@ -72,7 +72,7 @@ void draw_heading(const Ui& ui, const Columns& c) {
   ImGui::Dummy(ImVec2(1, line_height(Face::label)));
 }
 
-// A robot's load as a number and a bar, which is fainter beyond the least load of a range.
+// The bar is fainter beyond the least load of a range.
 void draw_load_bar(const Ui& ui, const Columns& c, float y, std::size_t number, int side) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Outlook& outlook = shown_outlook(ui.state);
@@ -96,7 +96,6 @@ void draw_load_bar(const Ui& ui, const Columns& c, float y, std::size_t number, 
             text);
 }
 
-// As wide as the numbers need.
 void draw_team_numbers(const Ui& ui, float left, float y, float width, const std::string& numbers) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 low(left + 1, y - 10), high(left + 1 + width, y + 10);
@@ -146,7 +145,7 @@ bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
   return hovered;
 }
 
-// A line through all bars at the mean load.
+// On each side, a line through all bars at the mean load.
 void draw_even_share(const Ui& ui, const Columns& c, float top, float bottom) {
   const Placement& placement = shown_placement(ui.state);
   if (!placement.loads) return;
@@ -163,7 +162,6 @@ void draw_even_share(const Ui& ui, const Columns& c, float top, float bottom) {
   draw_text(list, Face::label, ImVec2(c.middle - size.x / 2, bottom + 3), ui.theme.accent, text);
 }
 
-// A balanced robot's number, place and load.
 void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const TeamInWords& words) {
   const Placement& placement = *ui.state.derived().placement;
   const Robot& robot = placement.teams[0].robots[index];

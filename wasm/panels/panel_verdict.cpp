@@ -36,7 +36,7 @@ Sign sign_of(const Theme& theme, Mood mood) {
   return {Icon::draw, theme.accent};
 }
 
-// For the headline and the other words, the largest pair that fits.
+// For the headline and the rest, the largest pair that fits.
 struct Sizes {
   Face headline, rest;
 };
@@ -45,8 +45,8 @@ constexpr Sizes sizes[] = {{Face::verdict, Face::text},
                            {Face::strong, Face::text},
                            {Face::strong, Face::label}};
 
-// The height is constant for all results: three lines of each beside the drawing, two and three in
-// a sheet; the headline alone.
+// The height is the same for all results: three lines each for headline and rest beside the
+// drawing, two and three in a sheet, two for the headline alone.
 constexpr float after_sign = 32, below_headline = 4;
 constexpr float beside_drawing = 152, in_sheet = 124, headline_alone = 64;
 
@@ -54,13 +54,13 @@ void draw_sign(const Ui& ui, Mood mood, ImVec2 middle) {
   const Sign sign = sign_of(ui.theme, mood);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddCircleFilled(middle, 11, sign.disc.packed(), 32);
-  // A tick means that the goal is reached. While a robot fails, the sign has the shape of the row
-  // below instead.
+  // A tick means that the goal is reached. While a robot fails, a good mood is a plain disc, as in
+  // the row below.
   if (!failing(ui.state) || mood != Mood::good)
     draw_icon(list, sign.icon, middle, 15, ui.theme.panel);
 }
 
-// At the foot of the words.
+// The button's foot is at the cursor.
 void draw_offer(const Ui& ui) {
   const std::optional<Offer>& offer = ui.state.derived().offer;
   const ImVec2 below = ImGui::GetCursorScreenPos();
@@ -77,14 +77,13 @@ void draw_mood(const Ui& ui, const Verdict& v) {
     ImGui::GetWindowDrawList()->AddCircle(middle, 14, ui.theme.accent.packed(), 32, 1.5f);
 }
 
-// The verdict's tip; its words are between these corners.
+// The tip of the verdict between these corners.
 void draw_presumed(const Ui& ui, ImVec2 low, ImVec2 high) {
   if (!ImGui::IsWindowHovered() || !ImGui::IsMouseHoveringRect(low, high)) return;
   const std::string text = presumed_in_words(ui.state);
   if (!text.empty()) tip(ui, text.c_str());
 }
 
-// Of constant height. `rest` may be empty.
 void draw_in(const Ui& ui, float height, const Verdict& v, const std::string& rest) {
   draw_mood(ui, v);
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -127,7 +126,7 @@ void draw_failures_below(const Ui& ui) {
   draw_failures(ui);
 }
 
-// There is no offer while something other than the placement is told.
+// There is no offer unless the verdict is about the placement.
 bool has_offer(const Ui& ui, const Verdict& v) {
   return ui.state.derived().offer && !failing(ui.state) &&
          (v.mood == Mood::not_quite || v.mood == Mood::falls);
@@ -179,7 +178,7 @@ void draw_embedded_verdict(const Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Verdict v = verdict(ui.state);
   draw_sign(ui, v.mood, ImVec2(at.x + 8 + 11, at.y + height / 2));
-  // Includes unmet requirements; an overload first, since not all may have room.
+  // An overload comes first, since the rest may be cut off.
   const std::string text =
       v.mood == Mood::good ? v.headline : overload_in_brief(ui.state) + v.headline + " " + v.detail;
   const float left = 8 + 22 + 10, room = width - left - button - 8;

@@ -72,7 +72,7 @@ ChoiceName choice_name(const Ask& ask, std::uint32_t choice) {
   return {end, say(end)};
 }
 
-// Beside each other if height is scarce.
+// Side by side if height is scarce.
 void draw_choices(const Ui& ui, const Ask& ask, bool beside) {
   const float width = full_width(), gap = 6;
   if (ask.choices.size() <= 3) {
@@ -127,14 +127,13 @@ void draw_words(const Ui& ui, const Faces& faces) {
   const Walkthrough& walk = ui.state.view.walkthrough;
   const std::string words = words_of_stop(ui.state);
   if (!words.empty()) text_block(faces.words, ui.theme.text, words);
-  // Before an audience a step says only one sentence: the lesson's.
+  // Before an audience, a step without its formula shows only the lesson's words.
   const bool once = ui.state.view.presenting && !words.empty() && !ui.state.view.formal_open;
   if (!walk.caption.empty() && !once)
     text_block(walk.script ? faces.second : faces.words,
                walk.script ? ui.theme.second_text : ui.theme.text, walk.caption);
 }
 
-// With the meaning of its letters.
 void draw_formula(const Ui& ui, const Faces& faces) {
   const Walkthrough& walk = ui.state.view.walkthrough;
   if (walk.formula.empty() || !ui.state.view.formal_open) return;
@@ -168,7 +167,7 @@ void draw_walkthrough_step(const Ui& ui) {
              walk.script ? 0 : button);
   text_line(Face::label, ui.theme.second_text, say("Step {place}", {place_in_words(ui.state)}));
   draw_words(ui, in_panel);
-  if (!asks_of_other_robots(ui.state)) draw_formula(ui, in_panel);  // it concerns another M
+  if (!asks_of_other_robots(ui.state)) draw_formula(ui, in_panel);  // its robots are not drawn
   draw_left_out(ui, in_panel);
   draw_answers(ui, in_panel);
   draw_question(ui, in_panel);
@@ -176,9 +175,9 @@ void draw_walkthrough_step(const Ui& ui) {
   ImGui::PopStyleVar();
 }
 
-// In a box of constant height, in which longer text scrolls: in a closed sheet, in an <iframe>, or
-// in presentation mode. A question replaces the words; its buttons are below the box unless that
-// would leave less than two lines.
+// For a closed sheet, an <iframe> or presentation mode: a box of constant height, in which longer
+// text scrolls. A question replaces the words; its buttons are below the box unless that would
+// leave less than two lines.
 void draw_walkthrough_briefly(const Ui& ui, float height) {
   const Walkthrough& walk = ui.state.view.walkthrough;
   constexpr float little = 120;
@@ -212,7 +211,7 @@ void draw_walkthrough_briefly(const Ui& ui, float height) {
 
 namespace {
 
-// Its length is `share` (0 .. 1) of the way between the two points, its left and right end.
+// A bar between two points, of which the left part `share` (0 .. 1) is filled.
 void draw_score_bar(const Ui& ui, ImVec2 from, ImVec2 to, double share, Colour colour) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float width = (to.x - from.x) * static_cast<float>(std::clamp(share, 0.0, 1.0));
@@ -254,7 +253,7 @@ const char* title_of_ranking(Rule rule) {
                                       : "Candidates by load ratio";
 }
 
-// Indented by two spaces for each level.
+// `line` begins with two spaces for each level.
 void draw_code_line(const Ui& ui, std::string_view line, bool current) {
   float indent = 8;
   while (line.substr(0, 2) == "  ") {

@@ -29,7 +29,6 @@ bool ranks(const AppState& s) {
   return scores && !scores->ranking.empty();
 }
 bool has_history(const AppState& s) { return s.view.walkthrough.visited.size() > 1; }
-// Whether the drawing shows the forces that tip: once it has the last lifting base.
 bool shows_forces(const AppState& s) { return shown(s).overlays.tipping && knows_base(s); }
 bool is_formal(const AppState& s) { return s.view.formal_open; }
 constexpr Panel walkthrough_panel[] = {
@@ -58,7 +57,7 @@ void draw_sections(const Ui& ui, std::size_t first) {
   const std::span<const Panel> panels = sections(ui.state);
   for (std::size_t i = first; i < panels.size(); ++i) {
     if (panels[i].shown && !panels[i].shown(ui.state)) continue;
-    // Beside a new shape, the former one's results would be mistaken for its own.
+    // Results of the former shape would be mistaken for those of the new one.
     if (panels[i].of_result && draws(ui.state.view.tool)) continue;
     if (i > first) rule(ui);
     ImGui::PushID(panels[i].name);
@@ -87,7 +86,7 @@ void draw_close_button(const Ui& ui) {
   ImGui::SetCursorScreenPos(at);
 }
 
-// When the user opens a document, or begins or leaves a lesson.
+// Scrolls to the head when the user opens a document, or begins or leaves a lesson.
 void begin_at_head(const Ui& ui) {
   const int shown = 2 * ui.state.session.opened + (walkthrough_is_open(ui.state) ? 1 : 0);
   if (in_last_frame("shows", shown, shown) != shown) ImGui::SetScrollY(0);
@@ -138,7 +137,6 @@ void draw_rail(const Ui& ui) {
 
 constexpr float handle_height = 24;
 
-// Without a half-open state, the sheet is closed or fully open.
 Sheet opened_further(const AppState& state, int by) {
   auto wanted = static_cast<Sheet>(std::clamp(static_cast<int>(state.view.sheet) + by, 0, 2));
   if (wanted == Sheet::half && !has_half_sheet(state))
@@ -170,7 +168,7 @@ void draw_grip(const Ui& ui) {
                      ui.theme.quiet.packed(), 2);
 }
 
-// The step's words where there is space, and one row of buttons.
+// The step's words in the remaining height, and one row of buttons.
 void draw_step_and_row(const Ui& ui) {
   constexpr float gap = 4;
   draw_walkthrough_briefly(ui, ImGui::GetContentRegionAvail().y - ui.control() - gap);
@@ -178,8 +176,8 @@ void draw_step_and_row(const Ui& ui) {
   draw_player_row(ui);
 }
 
-// Over the drawing, the buttons of the selected vertex or of the next edge would cover it, so they
-// replace the teams.
+// Controls of the selected vertex or the next edge replace the teams here: over the drawing, they
+// would cover it.
 void draw_row_below_verdict(const Ui& ui) {
   if (vertex_is_on_sheet(ui.state)) return draw_vertex_buttons(ui);
   if (!draws(ui.state.view.tool) || ui.state.view.drawing.points.empty())
@@ -189,7 +187,7 @@ void draw_row_below_verdict(const Ui& ui) {
   draw_edge_fields(ui, width, width);
 }
 
-// With little height, for example above a keyboard, the row is at the foot, and only a pulled sheet
+// With little height, for example above a keyboard, the row is at the foot, and only an open sheet
 // shows the failures.
 void draw_low_sheet(const Ui& ui) {
   draw_verdict_words(ui);
@@ -211,7 +209,6 @@ void draw_closed_sheet(const Ui& ui) {
   if (std::abs(height - ui.state.session.closed_sheet_height) > 0.5) ui.push(MeasureSheet{height});
 }
 
-// The verdict or the player stays visible while the rest scrolls.
 void draw_open_sheet(const Ui& ui) {
   const bool lesson = walkthrough_is_open(ui.state);
   if (lesson)
@@ -244,7 +241,6 @@ void draw_sheet(const Ui& ui) {
   end_card(ui);
 }
 
-// At the foot of the drawing; in an <iframe> and in presentation mode with the step's words.
 void draw_floating_player(const Ui& ui) {
   const bool tells = ui.state.session.screen.embed || presents_steps(ui.state);
   begin_card(ui, "player", ui.layout.player,

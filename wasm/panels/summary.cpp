@@ -73,7 +73,6 @@ Verdict of_measuring(const AppState& state) {
                   : "Click two points of the picture, then type the distance between them.")};
 }
 
-// While a shape or a hole is drawn.
 struct DrawingWords {
   const char *begin, *few, *tap, *click, *refused, *closes;
 };
@@ -196,7 +195,7 @@ std::string need_in_words(const AppState& state) {
   const Outlook& outlook = shown_outlook(state);
   const Failure* failure = failing(state);
   const Derived& facts = state.derived();
-  // During a drag, the plan is of the object before.
+  // During a drag, the plan is still for the former object.
   const bool plans = !facts.plan_due;
   return capacity_in_words(of(state), plans && facts.plan ? &*facts.plan : nullptr,
                            overloaded(state, outlook), outlook.model,
@@ -295,7 +294,7 @@ std::string summary(const AppState& state) {
   if (walkthrough_is_open(state) && !state.derived().refusal) return walkthrough_in_words(state);
   std::string text = v.headline;
   if (!v.detail.empty()) text += " " + v.detail;
-  // Beside a new shape, the former one's robots would be mistaken for its own.
+  // Robots of the former shape would be mistaken for those of the new one.
   if (state.derived().refusal || !state.derived().placement || draws(state.view.tool)) return text;
   if (const Failure* failure = failing(state))
     return text + loads_while_failing(*failure, shown(state).units);

@@ -27,7 +27,7 @@ void wordmark(const Ui& ui, float height) {
   ImGui::Dummy(ImVec2(wordmark_width(), height));
 }
 
-// Buttons that do not fit are in the toolbar's menu, the last ones first.
+// If not all buttons fit, the last are in the toolbar's menu.
 struct Part {
   ActionId id;
   bool named;         // its name is beside it if there is room
@@ -129,7 +129,7 @@ void draw_toolbar(const Ui& ui) {
   end_card(ui);
 }
 
-// As a percentage of the fitting view, which a press restores.
+// As a percentage of the view that fits, which a press restores.
 void draw_zoom(const Ui& ui) {
   const std::string zoom = zoom_in_words(ui.state);
   const auto [low, high, pressed, hovered] =
@@ -150,7 +150,7 @@ void draw_view_tools(const Ui& ui) {
               .padding = static_cast<float>(ui.layout.bar_padding),
               .scrolls = false});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(2, 2));
-  // A narrow screen has no room for these, but has two fingers.
+  // A narrow screen has no room for these; there, two fingers zoom.
   if (ui.layout.wide) {
     action_button(ui, ActionId::zoom_out, ui.control());
     ImGui::SameLine(0, 2);
@@ -172,7 +172,7 @@ void draw_view_tools(const Ui& ui) {
   end_card(ui);
 }
 
-// To an object outside the window, or completely around it.
+// Leads to an object outside the window or completely around it.
 void draw_way_back(const Ui& ui) {
   if (ui.state.view.camera_follows || draws(ui.state.view.tool) || !ui.state.derived().placement)
     return;

@@ -24,7 +24,7 @@ Vec2 spot_of(const Ui& ui, const Explanation& explanation) {
                    ui.layout.second.top - ui.layout.first.top);
 }
 
-// Left and right, in the picture that has the spot, in pixels.
+// The object's left and right ends in the picture that contains the spot, in pixels.
 std::pair<double, double> ends_of_object(const Ui& ui, const Vec2& spot) {
   const Rect& second = ui.layout.second;
   const bool in_second = second.width() > 0 && second.contains(spot);
@@ -89,7 +89,7 @@ void draw_row(const Ui& ui, const Explanation::Row& row) {
   ImGui::Dummy(ImVec2(width, fits ? line : 2 * line));
 }
 
-// The resulting state of the card's robot.
+// What the failure means for the card's robot.
 void draw_failing(const Ui& ui, const Failure& failure, std::size_t robot) {
   if (failure.robot == robot) {
     text_block(Face::label, ui.theme.text, failure_words(ui.state, robot));
@@ -112,7 +112,7 @@ void draw_fail_button(const Ui& ui, std::size_t robot, float width) {
     ui.push(Fail{failed ? std::nullopt : std::optional<std::size_t>(robot)});
 }
 
-// Below each other, or beside each other if height is scarce.
+// Side by side if height is scarce.
 void draw_buttons(const Ui& ui, const Explanation& explanation, bool in_a_row) {
   constexpr float gap = 6, padding = 16;
   const bool can_fail = explanation.robot && !walkthrough_is_open(ui.state);

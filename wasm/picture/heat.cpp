@@ -11,8 +11,8 @@
 namespace evenlift::view {
 namespace {
 
-// A side of the lifting base. Distances beyond it are in units of the distance of the centre of
-// mass inside it.
+// A side of the lifting base. Distances beyond it are in units of its distance from the centre of
+// mass.
 struct Side {
   Vec2 a, along;
   double within;
@@ -38,7 +38,7 @@ std::vector<Side> cutting_sides(const Placement& placement) {
   return sides;
 }
 
-// To the part at most `most` beyond the side. `spare` is memory for reuse.
+// Keeps the part at most `most` beyond the side. `spare` is memory for reuse.
 void cut(Points& area, const Side& side, double most, Points& spare) {
   clip(
       area, [&](const Vec2& p) { return most - side.beyond(p); }, spare);

@@ -41,7 +41,6 @@ double away(const Vec2& a, const Vec2& b, const Vec2& p) {
   return length(p - nearest_on_segment(a, b, p));
 }
 
-// From the edges of a ring.
 double away(const Points& ring, const Vec2& p) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ring.size(); ++i)
@@ -49,8 +48,7 @@ double away(const Points& ring, const Vec2& p) {
   return least;
 }
 
-// The distance from p to all that the number must not cover; 0 outside the object or the lifting
-// base.
+// The room at `p` for the coverage's number; 0 outside the object or the lifting base.
 double clearance(const Placement& placement, const Vec2& p) {
   if (!inside_convex(placement.lifting_base, p) || !inside(placement.vertices(), p) ||
       placement.object.hole_around(p))
@@ -97,7 +95,7 @@ void Occupied::box(const Rect& taken) {
 }
 
 void Occupied::disc(const Vec2& middle, double radius) {
-  // Of a disc far larger than the window, only the window's rows have cells.
+  // Only rows near the window are visited, since a disc may be far larger than the window.
   const double first = std::max(-radius, window_.top - middle.y() - cell),
                last = std::min(radius, window_.bottom - middle.y() + cell);
   const int rows = static_cast<int>(std::ceil((last - first) / cell));
@@ -157,7 +155,7 @@ std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& r
   for (std::size_t i = 0; i < requests.size(); ++i) {
     const LabelRequest& request = requests[i];
     int fewest = most_crossed + 1;
-    // The farther ring only if it covers fewer lines.
+    // Places farther away are used only if they cover fewer lines.
     for (const double farther : {0.0, 9.0}) {
       for (const double turn : turns) {
         if (fewest == 0) break;
@@ -177,7 +175,7 @@ std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& r
 }
 
 CoveragePlace place_coverage(const Placement& placement, const Vec2& before) {
-  // With more, a number has no room anyway, and the search would take long.
+  // With more parts, a number has no room anyway, and the search would take long.
   if (placement.lifting_base.size() < 3 || placement.teams.size() > 40 ||
       placement.object.boundary().size() > 400 || placement.settings.cargo.size() > 40)
     return {};

@@ -18,8 +18,8 @@ constexpr double margin = 40;  // pixels drawn beyond the window: line widths, f
 // million. So lines are drawn in pieces of at most this number of points.
 constexpr std::size_t most_at_once = 4096;
 
-// Of a polygon with more points, only distinguishable ones are drawn: farther apart than this share
-// of a device pixel.
+// Of a polygon with more points, only points farther apart than this share of a device pixel are
+// drawn.
 constexpr std::size_t few = 2048;
 constexpr double same_spot = 0.25;
 
@@ -135,8 +135,8 @@ void Painter::fill_around(const std::vector<Points>& holes, const Points& counte
                           Colour colour) const {
   if (holes.empty()) return fill_convex(counter_clockwise, colour);
   if (counter_clockwise.size() < 3) return;
-  // By rows, since holes may extend beyond the area: the window without the holes, and of that the
-  // part within the area.
+  // Holes may extend beyond the area, so this fills, by rows, the window within the area and
+  // outside the holes.
   const Vec2 low = camera_.to_world(Vec2(window_.left, window_.bottom) + Vec2(-margin, margin)),
              high = camera_.to_world(Vec2(window_.right, window_.top) + Vec2(margin, -margin));
   const Points window{low, {high.x(), low.y()}, high, {low.x(), high.y()}};
@@ -181,7 +181,7 @@ void Painter::outline(const Points& polygon, Colour colour, float width, bool cl
   list_.PathClear();
 }
 
-// Each piece begins where the preceding one ended; parts beside the window are left out.
+// Each piece begins where the preceding one ended; parts outside the window are left out.
 void Painter::long_outline(const Points& polygon, Colour colour, float width, bool closed) const {
   const ImU32 packed = colour.at(strength_).packed();
   const double least = least_step();
@@ -254,7 +254,7 @@ void Painter::candidate(const Vec2& a, const Vec2& b, Colour colour, std::size_t
 
 void Painter::region(const Points& counter_clockwise, Colour fill, Colour line_colour,
                      bool rising) const {
-  // If both regions shrank to the same place, both remain visible.
+  // Two regions that shrank to the same place both remain visible.
   if (counter_clockwise.size() == 1) {
     list_.AddCircle(at(counter_clockwise[0]), rising ? 6.0f : 9.0f, line_colour.packed(), 24, 2);
   } else if (counter_clockwise.size() == 2) {

@@ -68,7 +68,6 @@ void follow_anew(Scene& scene, const AppState& state, const Placement& placement
 }  // namespace
 
 void follow(Scene& scene, const AppState& state, const Placement& placement, double now) {
-  // With the last good placement, if the document is refused.
   const Overlays& overlays = shown(state).overlays;
   const bool anew = scene.revision != state.derived().revision;
   if (anew || !(scene.overlays == overlays)) {

@@ -8,7 +8,7 @@
 namespace evenlift::view {
 namespace {
 
-// In the ring of remaining vertices, and in the list sorted along the Z-order curve.
+// A member of the ring of remaining vertices and of the list along the Z-order curve.
 struct Node {
   Vec2 at;
   std::uint32_t vertex = 0, previous = 0, next = 0;
@@ -18,7 +18,7 @@ struct Node {
 
 double turn(const Node& a, const Node& b, const Node& c) { return cross(b.at - a.at, c.at - b.at); }
 
-// Strictly, counter-clockwise; the other two directions are less than half a turn apart.
+// Strictly, counter-clockwise from `from` to `to`, less than half a turn apart.
 bool is_between(const Vec2& way, const Vec2& from, const Vec2& to) {
   return cross(from, way) > 0 && cross(way, to) > 0;
 }
@@ -31,7 +31,7 @@ double doubled_area(const Points& vertices) {
   return area;
 }
 
-// To every second bit.
+// Moves bit i to bit 2i.
 std::uint32_t spread(std::uint32_t x) {
   x = (x | (x << 8)) & 0x00FF00FFu;
   x = (x | (x << 4)) & 0x0F0F0F0Fu;
@@ -46,7 +46,7 @@ class Ears {
     std::vector<std::uint32_t> leftmost;
     for (const Points& hole : holes)
       if (!hole.empty()) leftmost.push_back(leftmost_of(add_ring(hole, false)));
-    // From left to right: left of each hole are only joined ones.
+    // From left to right, so that each hole's left neighbours are joined first.
     std::stable_sort(leftmost.begin(), leftmost.end(), [&](std::uint32_t a, std::uint32_t b) {
       return nodes_[a].at.x() < nodes_[b].at.x();
     });
@@ -80,7 +80,7 @@ class Ears {
   }
 
  private:
-  // New nodes; returns the first.
+  // Returns the first new node.
   std::uint32_t add_ring(const Points& vertices, bool counter_clockwise) {
     const auto first = static_cast<std::uint32_t>(nodes_.size()),
                n = static_cast<std::uint32_t>(vertices.size());
@@ -110,8 +110,8 @@ class Ears {
   }
 
   // A node of the outer ring that a hole's leftmost vertex sees (Eberly, Triangulation by Ear
-  // Clipping). The ray to the left meets an edge; its left end is seen unless vertices in the
-  // triangle between them hide it, and then the one in the flattest direction is.
+  // Clipping): the left end of the edge that its ray to the left meets or, if vertices in the
+  // triangle between ray and end hide it, the one in the flattest direction.
   std::uint32_t seen_from(std::uint32_t hole) const {
     const Vec2& from = nodes_[hole].at;
     std::optional<std::uint32_t> met;
@@ -155,8 +155,8 @@ class Ears {
     return found;
   }
 
-  // The outer ring then leads from node a to the hole's node b, around the hole and back. Both
-  // nodes occur twice.
+  // The outer ring then leads from `a` to the hole's node `b`, around the hole and back. Both occur
+  // twice.
   void join(std::uint32_t a, std::uint32_t b) {
     const auto back_at_b = static_cast<std::uint32_t>(nodes_.size()), back_at_a = back_at_b + 1;
     nodes_.push_back(nodes_[b]);
@@ -220,7 +220,7 @@ class Ears {
       return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0 &&
              turn(nodes_[p.previous], p, nodes_[p.next]) <= 0;
     };
-    // The triangle's box lies between its corners' places on the curve.
+    // On the curve, the triangle's box lies between `z_low` and `z_high`.
     for (std::int64_t k = b.z_next; k >= 0 && at(k).z <= z_high; k = at(k).z_next) {
       if (blocks(at(k))) return false;
     }
@@ -230,7 +230,7 @@ class Ears {
     return true;
   }
 
-  // Whether an edge leads from the node between two directions.
+  // Whether an edge leaves the node between two directions.
   bool leads_between(const Node& p, const Vec2& from, const Vec2& to) const {
     return is_between(nodes_[p.previous].at - p.at, from, to) ||
            is_between(nodes_[p.next].at - p.at, from, to);

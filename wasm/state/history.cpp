@@ -46,7 +46,7 @@ constexpr What edits[] = {"opened a polygon",
                           "removed a weight"};
 static_assert(std::size(edits) == edit_count);
 
-// A number that only another version of the page knows means some settings.
+// A number unknown to this version stands for Edit::settings.
 What what_of(Edit edit) {
   const auto number = static_cast<std::size_t>(edit);
   if (number < edit_count) return edits[number];

@@ -8,7 +8,7 @@ namespace evenlift::view {
 namespace {
 
 constexpr double panel_width = 360, rail_width = 48;
-// Of a card beside the drawing, which needs this width of the screen or of a frame.
+// The width of a card beside the drawing, and the least width of a screen or a frame for it.
 constexpr double card_width = 320, least_width = 900, least_width_of_frame = 600;
 // Below these heights the view tools are in the toolbar's menu: they would cover the object.
 constexpr double least_height_for_tools = 480, least_height_beside_sheet = 640;
@@ -18,17 +18,16 @@ constexpr double knob = 36;           // above or below the frame around the pol
 constexpr double caption_above = 34;  // of the lower or upper of two pictures
 // A sheet with its handle and the player's row, or the verdict's headline and one row (panels.cpp).
 constexpr double brief_row = 88, brief_verdict = 152;
-// In presentation mode: with less height, no card is below the words; and the words' share of the
-// height.
+// In presentation mode: the least height for a card below the words or beside the drawing, and the
+// share of the height for the words above a card.
 constexpr double least_height_for_both = 480, share_of_words = 0.45;
 
-// With one row of controls.
 double bar_height(const Layout& l) { return l.control + 2 * l.bar_padding; }
 
-// Below the toolbar, with the bar's margins.
+// Of a tool's bar below the toolbar, with its margins.
 double tool_bar_height(const Layout& l) { return l.control + 24; }
 
-// Room around the polygon for robots and their loads.
+// Leaves room around the polygon for robots and their loads.
 Rect room_in(const Rect& free, double beside, double above, double below) {
   constexpr double little = 150;  // with less height, loads are only at the sides
   const double x = std::min(beside, free.width() / 6),
@@ -55,7 +54,7 @@ void make_room_for_window(Layout& l, const Screen& screen) {
   l.free.bottom = std::min(l.free.bottom, screen.height - screen.window_foot);
 }
 
-// Beside presented steps a card is below the words: the drawing keeps its size.
+// With presented steps, a card is below the words: the drawing keeps its size.
 bool seats_card_below_words(const AppState& state) {
   const Screen& screen = state.session.screen;
   return presents_steps(state) && screen.width > screen.height &&
@@ -85,7 +84,7 @@ void make_room_for_card(Layout& l, const AppState& state) {
     l.free.bottom -= screen.foot;
 }
 
-// Two pictures share what a card leaves free; each has a caption at its top.
+// Two pictures share what a card leaves free.
 void split(Layout& l, const AppState& state, bool compared, double beside, double above,
            double below) {
   make_room_for_window(l, state.session.screen);
@@ -177,7 +176,7 @@ Layout wide(const AppState& state) {
   if ((state.view.tool == Tool::mark || adds_by_click(state.view.tool)) &&
       (l.low || state.work.second_method))
     l.free.top += tool_bar_height(l);  // the boundary and the captions must be visible
-  // A frame's corners are farther out than robots, and clear of the view tools.
+  // A frame's corners are farther out than robots, and must be clear of the view tools.
   const double below = state.view.tool == Tool::transform ? 108 : 84;
   split(l, state, state.work.second_method.has_value(), 88, 68, below);
   return l;
@@ -197,12 +196,11 @@ bool has_bar(const AppState& state) {
   return state.view.tool != Tool::parts && !draws(state.view.tool);
 }
 
-// For a card at the drawing's foot, a bar above it, or a second picture.
 bool asks_for_room(const AppState& state) {
   return state.session.screen.foot > 0 || has_bar(state) || state.work.second_method;
 }
 
-// For one picture, above a closed sheet of this height on a narrow screen.
+// The height of one picture above a closed sheet on a narrow screen.
 double room_above(const Layout& l, const AppState& state, double sheet) {
   const Screen& screen = state.session.screen;
   double room = screen.height - bar_height(l) - 2 * l.margin - sheet - screen.foot;
@@ -266,7 +264,6 @@ bool has_half_sheet(const AppState& state) {
 
 namespace {
 
-// See card_seat().
 Rect seat_of_card(const AppState& state, const Layout& l) {
   constexpr double least = 520;  // width beside the view tools
   const double left = l.free.left + l.margin, right = l.free.right - l.margin;
@@ -296,7 +293,7 @@ Rect inset(const Rect& r, double by) {
   return {r.left + by, r.top + by, r.right - by, r.bottom - by};
 }
 
-// The notice covers no bar, nothing being drawn and no presented words; it is above a card of the
+// The notice covers no bar, no unfinished drawing and no presented words; it is above a card of the
 // page. On a fully open sheet it is at the foot, since the verdict is at the head.
 Rect seat_of_notice(const AppState& state, const Layout& l) {
   constexpr double gap = 8, least_height = 100, widest = 560;
@@ -330,7 +327,7 @@ void make_room_for_notice(const AppState& state, Layout& l) {
                           : 0;
   l.room.bottom -= made;
   if (!over_sheet) return;
-  // It covers only the sheet's handle, or the whole first sentence.
+  // It covers only the sheet's handle or else the whole first sentence.
   constexpr double handle = 28, first_sentence = 104;
   double down = covered - made;
   if (down > handle) down = std::max(down, first_sentence);
@@ -368,7 +365,7 @@ Rect room_for_backdrop(const Layout& l) {
   return room;
 }
 
-// As large as possible clear of the view tools.
+// As large as possible without reaching the view tools.
 Camera camera_of_backdrop(const Backdrop& picture, const Layout& l) {
   const Rect room = room_for_backdrop(l);
   const Points box{picture.low, picture.high};

@@ -22,7 +22,6 @@ bool is_of(const PolygonWithHoles& object, const Document& document) {
          object.rings_of_holes() == document.holes;
 }
 
-// Skips the check of a known object.
 Result<Placement> placed(const Document& document, const PolygonWithHoles* known) {
   if (known && is_of(*known, document))
     return place(*known, document.centre_of_mass, document.settings, Effort::start, document.moved);
@@ -37,7 +36,7 @@ double swap_cost(const Placement& placement) {
 }
 constexpr double most_in_a_drag = 50e3, most_at_rest = 1e6;
 
-// The teams of the goal *hold*, as the metric selects them.
+// For the goal *hold*: the teams without swaps.
 Placement not_swapped(Placement selected, const Settings& settings) {
   selected.settings = settings;
   selected.goal_reached = !selected.teams.empty() && selected.closure.form_closure;
@@ -45,7 +44,6 @@ Placement not_swapped(Placement selected, const Settings& settings) {
   return selected;
 }
 
-// Without swaps that take longer than the haste allows.
 Result<Placement> placed_in(Haste haste, const Document& document, const PolygonWithHoles* known) {
   const Settings& settings = document.settings;
   if (!swaps_teams(settings)) return placed(document, known);
@@ -123,7 +121,6 @@ Result<Opened> opened(Document document) {
 Result<Opened> opened_after(Document polygon, const Document& before) {
   polygon.settings = before.settings;
   polygon.shown = before.shown;
-  // A step, a length and edges belong to the former polygon.
   polygon.shown.step.reset();
   for (const SettingRow& row : all_settings())
     if (row.changes == Changes::shown && row.is_length) read_setting(row.setting, "0", polygon);

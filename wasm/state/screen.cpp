@@ -63,7 +63,7 @@ void make_room(AppState& state, double height) {
 void set_presenting(AppState& state, bool on) {
   if (state.view.presenting == on) return;
   state.view.presenting = on;
-  // A task's card has the words and the goals; the drawing needs the room of the settings.
+  // A task's card has the words and the goals; the drawing needs the panel's room.
   if (on && state.view.task) state.view.panel_open = false;
   measure_screen(state);
   emit(state, ShowFullScreen{on});

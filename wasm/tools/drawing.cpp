@@ -37,13 +37,13 @@ bool fold_back(const Vec2& a, const Vec2& b, const Vec2& c) {
   return sign(orient(a, b, c)) == 0 && dot_of_differences(b, a, b, c) > 0;
 }
 
-// Moves it to the nearer of two lines, if within reach.
+// Moves `value` to the nearer of two lines, if within reach.
 void pull(double& value, double first, double second, double reach) {
   const double nearer = std::abs(value - first) <= std::abs(value - second) ? first : second;
   if (std::abs(value - nearer) <= reach) value = nearer;
 }
 
-// In a length of 1: a million divided by the least power of ten that is at least the size. Without
+// Per unit of length: a million divided by the least power of ten that is at least `size`. Without
 // a library logarithm, a typed edge has the same bits everywhere.
 double units_of_rounding(double size) {
   double above = 1, below = 1;

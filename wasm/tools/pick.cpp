@@ -13,7 +13,7 @@ namespace {
 
 double distance(const Vec2& a, const Vec2& b) { return length(a - b); }
 
-// The nearest part within reach; in a tie, the later one.
+// In a tie, the later part.
 struct Nearest {
   double reach;
   Pick pick = {};
@@ -118,7 +118,7 @@ bool is_asked_about(const AppState& state, const Pick& pick) {
          pick.index * in_team + static_cast<std::size_t>(pick.end);
 }
 
-// pixels between the ring and its grip.
+// Pixels between the ring and its grip.
 double grip_stands_off(const AppState& state) { return state.session.screen.finger ? 40 : 28; }
 
 }  // namespace
@@ -200,8 +200,8 @@ Pick pick(const AppState& state, const Vec2& screen, bool second) {
     const auto away = [&](const Pick& p) {
       return distance(state.view.camera.to_screen(p.at), screen);
     };
-    // On a vertex, a robot placed by hand or with the open card comes first, so that it can be
-    // grabbed.
+    // On a vertex, a robot that was placed by hand or whose card is open comes first, so that it
+    // can be grabbed.
     const bool first =
         !second && can_take_robot(state, robot) &&
         (placement->settings.method == Method::given || is_asked_about(state, robot));

@@ -7,7 +7,7 @@
 namespace evenlift::view {
 namespace {
 
-// The nearest vertex within reach, or else the nearest point.
+// The nearest vertex or else the nearest point, within reach.
 std::optional<Vec2> on_outline(const Points& vertices, const Vec2& to, double reach) {
   std::optional<Vec2> edge;
   double least = reach;

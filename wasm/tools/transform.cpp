@@ -158,7 +158,7 @@ SetPolygon dragged_polygon(const AppState& state, FrameGrip held, const Vec2& fr
     const Vec2 about = state.view.camera.to_screen(pivot(grip.vertices));
     const Vec2 a = from - about, b = to - about;
     const double lengths = length(a) * length(b);
-    // The direction is reversed here, too.
+    // The direction is also reversed here.
     const Vec2 turn = lengths > 0 ? Vec2(Vec2(dot(a, b), -cross(a, b)) / lengths) : Vec2(1, 0);
     polygon = turned(state, grip, turn);
   } else {

@@ -29,7 +29,7 @@ struct Decoded {
   std::size_t bytes;
 };
 
-// Of a non-empty UTF-8 text; invalid UTF-8 is decoded byte by byte.
+// Of a non-empty UTF-8 text; stray and truncated bytes are decoded singly.
 Decoded decode(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned first = byte(0);

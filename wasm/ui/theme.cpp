@@ -128,7 +128,7 @@ void load_fonts(double ratio) {
   if (!atlas.Fonts.empty()) return;
   const float density = 1;
 #else
-  // More density is not visible, and could need too large a texture.
+  // Higher density is not visible, and could need too large a texture.
   const float density = static_cast<float>(std::min(ratio, 4.0));
 #endif
   atlas.Clear();

@@ -10,7 +10,6 @@
 namespace evenlift::view {
 namespace {
 
-// At the nearest place of the boundary.
 void ask_why_no_robot(AppState& state, const Vec2& at) {
   Walkthrough& walk = state.view.walkthrough;
   const double reach = (state.session.screen.touch ? 22 : 14) / state.view.camera.scale;
@@ -38,7 +37,6 @@ void ask_why(AppState& state, const Vec2& at) {
   if (!walkthrough_is_open(state)) return;
   if (walk.trace->balanced()) return ask_why_no_robot(state, at);
   const Trace& trace = *walk.trace;
-  // About a candidate nearby, or else about the chord through the point.
   const auto& candidates = trace.placement.candidates;
   const double reach = 9 / state.view.camera.scale;
   std::optional<std::uint32_t> nearest;

@@ -28,7 +28,7 @@ void add_chord(Explanation& explanation, const Chord& chord, const Units& units)
   explanation.rows.push_back({"Load ratio", ratio_in_words(chord.ratio)});
 }
 
-// The last one that moved the team.
+// The last swap that moved the team.
 std::optional<std::uint32_t> swap_of(const Trace& trace, std::uint32_t team) {
   if (!trace.swaps) return std::nullopt;
   const std::vector<Swap>& swaps = trace.swaps->swaps;
@@ -98,7 +98,6 @@ void explain_team(Explanation& explanation, const ShownPlacement& of, const Pick
   if (trace) add_choice(explanation, *trace, static_cast<std::uint32_t>(pick.index));
 }
 
-// The centroid of all robots is the reason for its place.
 void explain_balanced(Explanation& explanation, const ShownPlacement& of, const Pick& pick) {
   const Placement& placement = of.placement;
   const auto robot = static_cast<std::size_t>(pick.end);

@@ -50,7 +50,6 @@ void move_chapters(AppState& state, int by) {
     return position;
   };
   if (by < 0) {
-    // Inside a chapter, back leads to its beginning.
     const std::uint32_t own = begin(now.at);
     return go_to_position(state, own < now.at || own == 0 ? own : begin(own - 1));
   }
@@ -62,7 +61,6 @@ void move_chapters(AppState& state, int by) {
 void set_playing(AppState& state, bool playing) {
   Walkthrough& walk = state.view.walkthrough;
   if (!walkthrough_is_open(state)) return;
-  // At the end, playing restarts.
   if (playing && !next_step(state, 1)) go_to_position(state, 0);
   walk.playing = playing;
   walk.turn_at.reset();

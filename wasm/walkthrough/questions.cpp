@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_offered = 6;  // per question
 
-// Only one candidate, or two ends that show the same load ratio or look like one point.
+// Only one choice, or two ends that show the same load ratio or look like one point.
 bool is_trivial(const Trace& trace, const Ask& asked) {
   if (asked.question.kind != QuestionKind::nearer_end) return asked.choices.size() < 2;
   constexpr double apart = 1.0 / 80;  // of the object's size
@@ -27,8 +27,8 @@ bool is_trivial(const Trace& trace, const Ask& asked) {
          ratio_in_words(pair.ends[0].ratio) == ratio_in_words(pair.ends[1].ratio);
 }
 
-// The answer and other choices, as far apart in their order as possible: of very many, neighbours
-// look the same in the drawing.
+// The answer and other choices, as far apart in their order as possible, since neighbours among
+// very many look the same in the drawing.
 std::vector<std::uint32_t> some_of(const std::vector<std::uint32_t>& choices,
                                    std::uint32_t answer) {
   const std::size_t n = choices.size();
@@ -42,7 +42,6 @@ std::vector<std::uint32_t> some_of(const std::vector<std::uint32_t>& choices,
   return some;
 }
 
-// Later questions of a kind are not asked: the choice is shown.
 bool may_ask(Walkthrough& walk, const Ask& asked) {
   std::vector<std::uint32_t>& steps =
       walk.guesses.asked[static_cast<std::size_t>(asked.question.kind)];
@@ -67,7 +66,6 @@ std::size_t first_offered(const Ask& asked) {
   return n < 2 ? 0 : (answer + 1 + asked.step % (n - 1)) % n;
 }
 
-// Nothing if it is trivial.
 std::optional<Ask> question_of(const Trace& trace, std::uint32_t step) {
   Ask asked;
   asked.step = step;

@@ -59,7 +59,7 @@ bool gives_answer_away(const AppState& state) {
          std::find(guessed.begin(), guessed.end(), next) == guessed.end();
 }
 
-// In a challenge, shows the step without the parts that the next question asks for.
+// Shows the step without the parts that the next question asks for.
 void look_at_present(AppState& state) {
   Walkthrough& walk = state.view.walkthrough;
   look(walk, walk.at);
@@ -77,7 +77,8 @@ void remember(Walkthrough& walk) {
   if (visited.size() > most_visited) visited.erase(visited.begin());
 }
 
-// The step belongs to the document, so that links carry it; but changing it is no edit to undo.
+// The step belongs to the document, so that links contain it; but changing it is not an edit to
+// undo.
 void publish(AppState& state, std::optional<std::uint32_t> step) {
   state.work.show().step = step;
   emit(state, DocumentChanged{});
@@ -92,7 +93,6 @@ std::uint32_t main_step_before(const Walkthrough& walk, std::uint32_t step) {
   return *(std::upper_bound(walk.main.begin() + 1, walk.main.end(), step) - 1);
 }
 
-// The step itself if shown, or else the preceding main step.
 std::uint32_t shown_step(const Walkthrough& walk, std::uint32_t step) {
   return walk.all_steps || walk.script ? step : main_step_before(walk, step);
 }
@@ -223,7 +223,6 @@ void leave_script(AppState& state) {
   state.view.walkthrough.aside.reset();
   if (!state.view.walkthrough.script) return;
   state.view.walkthrough.script.reset();
-  // If the step is not a main step, all steps are shown.
   if (walkthrough_is_open(state)) enter(state, state.view.walkthrough.at);
   emit(state, DocumentChanged{});  // the address no longer names the lesson
 }

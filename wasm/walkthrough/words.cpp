@@ -19,7 +19,6 @@ std::string place_in_words(const AppState& state) {
 
 namespace {
 
-// After a step of this kind.
 struct LeftOut {
   StepKind after;
   const char *one, *more;

@@ -11,8 +11,7 @@ namespace evenlift::view {
 namespace {
 
 bool finger_is_taken = false;  // it holds an item that follows the pointer
-// The scroll bar is in the card's padding, so that the content is as wide without it. It stays
-// between the content's first and last line, which it must not lengthen.
+// The scroll bar leaves out the padding above and below, so that it does not lengthen the content.
 void draw_scroll_bar(const Ui& ui) {
   const float most = ImGui::GetScrollMaxY(), padding = ImGui::GetStyle().WindowPadding.y;
   const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
@@ -32,8 +31,8 @@ void draw_scroll_bar(const Ui& ui) {
       (held || hovered ? ui.theme.second_text : ui.theme.quiet).packed(), 3);
 }
 
-// Fades the content at the foot, `inset` from the sides and above the border, while there is more
-// below.
+// While there is more below: fades the content at the foot, `inset` from the sides and above the
+// border.
 void shade_foot(const Ui& ui, float inset, float border) {
   if (ImGui::GetScrollY() > ImGui::GetScrollMaxY() - 1) return;
   constexpr float height = 36;

@@ -18,7 +18,7 @@ bool begin_choices(const Ui& ui, const char* id, ImVec2 anchor_low, ImVec2 ancho
   const bool below = room_below > enough || room_below >= room_above;
   // In the window's right half the list extends to the left, to stay inside.
   const bool leftwards = anchor_low.x + anchor_high.x > width;
-  // If it is too narrow for its longest row, it extends past its button to the right.
+  // A list too narrow for its longest row extends past its button to the right.
   constexpr float longest = 346;
   const float right = std::max(anchor_high.x, std::min(width - 8, longest));
   ImGui::SetNextWindowPos(

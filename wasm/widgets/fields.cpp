@@ -20,14 +20,12 @@ bool repeats(const Ui& ui, const Area& a) {
   return std::floor(held / every) > std::floor((held - io.DeltaTime) / every);
 }
 
-// Of a value for typing.
 void draw_ground(const Ui& ui, ImVec2 low, ImVec2 high) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, high, ui.theme.well.packed(), 7);
   list.AddRect(low, high, ui.theme.quiet.packed(), 7, 0, 1);
 }
 
-// With "…" at the end, if longer than `width`.
 std::string cut_off(std::string text, float width) {
   if (text_size(Face::text, text).x <= width) return text;
   while (!text.empty() && text_size(Face::text, text + "…").x > width) {

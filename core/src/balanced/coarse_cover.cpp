@@ -54,7 +54,7 @@ std::size_t CoarseCover::cell_of(double place) {
   return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(cells - 1)));
 }
 
-// Widens the rows that a side of H crosses by the part of the side in each row.
+// Widens each of `rows` to include the part of the side a b of H in that row.
 void CoarseCover::widen(Rows& rows, const Vec2& a, const Vec2& b) {
   const Vec2 &lower = a.y() <= b.y() ? a : b, &upper = a.y() <= b.y() ? b : a;
   const double height = upper.y() - lower.y();

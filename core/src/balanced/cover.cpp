@@ -9,8 +9,8 @@ namespace evenlift::balanced {
 
 // The object within H has the area of a closed curve: the boundary of the object, with all parts
 // outside H pulled along the rays to C onto the boundary of H. A part inside H adds its triangle
-// with C, a part outside the sector of H between the directions of its ends. Points are relative to
-// C.
+// with C; any other part adds the sector of H between the directions of its ends. Points are
+// relative to C.
 class Cover::Sum {
  public:
   Sum(const Cover& cover, const SmallHull& hull)
@@ -23,8 +23,8 @@ class Cover::Sum {
     }
   }
 
-  // Whether C is inside H, farther than rounding from each side. (Two teams on one chord span a
-  // base as thin as rounding: from C, its corners lie in the directions of its sides.)
+  // Whether C is inside H, and not only through rounding. (If two teams stand on one chord, only
+  // rounding gives H an area, and C sees its sides end on.)
   bool is_sound() const {
     if (hull_.size < 3) return false;
     double reach = 0;
@@ -40,7 +40,7 @@ class Cover::Sum {
   }
 
  private:
-  // Of a sector between nearly equal directions to all of H, and of a distance to H's reach.
+  // Smaller shares of H's area, and smaller distances as shares of its reach, are rounding.
   static constexpr double rounding = 1e-12;
 
   enum class Side { inside, outside, both };
@@ -87,7 +87,7 @@ class Cover::Sum {
     return vertex(edge + 1 == boundary_.size() ? 0 : edge + 1);
   }
 
-  // The edge is in H from a + enter (b - a) to a + leave (b - a).
+  // The part in H runs from `a + enter * (b - a)` to `a + leave * (b - a)`.
   void add_edge(const Vec2& a, const Vec2& b) {
     double enter = 0, leave = 1;
     for (std::size_t i = 0; i < hull_.size; ++i) {
@@ -107,7 +107,7 @@ class Cover::Sum {
   // For a part outside H, seen from C at less than 180 degrees.
   void add_sector(const Vec2& a, const Vec2& b) {
     const double turn = cross(a, b), all = sectors_[hull_.size];
-    // Consecutive parts share an end, so the last call's sector is reused.
+    // Most parts begin where the last one ended, and reuse its sector.
     const double before_a = a == last_ ? before_last_ : sector_before(a);
     last_ = b;
     before_last_ = sector_before(b);

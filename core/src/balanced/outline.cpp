@@ -40,7 +40,7 @@ Outline::Outline(const Polygon& polygon, const Vec2& centre)
   }
 }
 
-// The step follows the edge that begins at its vertex, or runs against the edge that ends there.
+// In a clockwise list, a step runs against the edge that ends at its vertex.
 std::uint32_t Outline::edge_of_step(std::size_t step) const {
   const std::uint32_t vertex = vertices_[step];
   return polygon_.counter_clockwise() ? vertex
@@ -79,7 +79,6 @@ std::vector<LiftingPoint> Outline::reflex_stands(std::uint32_t most) const {
   return stands;
 }
 
-// At equal distances along all usable ranges, one after another.
 std::vector<LiftingPoint> Outline::usable_stands(std::uint32_t number, const Stands& room) const {
   double total = 0;
   for (std::uint32_t edge = 0; edge < vertices_.size(); ++edge)

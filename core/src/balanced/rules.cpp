@@ -16,7 +16,7 @@ int compare(double a, double b, double slack) { return a > b + slack ? 1 : b > a
 
 int compare_spreads(double a, double b) { return compare(a, b, spread_tie * std::max(a, b)); }
 
-// 1 if the places of a come first.
+// 1 if the places of `a` come first.
 int compare_places(const std::vector<double>& a, const std::vector<double>& b, double slack) {
   for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
     if (const int order = compare(b[i], a[i], slack)) return order;
@@ -29,7 +29,7 @@ std::shared_ptr<const Stands> room_of(const PolygonWithHoles& object, const Sett
   return room ? *std::move(room) : nullptr;
 }
 
-// On a winding outline, the coverage of a set is summed along the whole outline.
+// A set costs more on a winding outline, since its coverage is summed along all of it.
 std::uint64_t work_on(const PolygonWithHoles& object, const EvenChords& chords,
                       const Vec2& centre) {
   constexpr std::size_t few_vertices = 1000, most_counted = 100'000, for_one = 100;
@@ -112,7 +112,6 @@ const SmallHull& Rules::hull(RatedSet& set) const {
   return *set.hull;
 }
 
-// Whether the coverage is certainly below a bound.
 bool Rules::covers_less(RatedSet& set, double bound) const {
   constexpr double rounding = 1 + 1e-12;
   return rounding * hull(set).area / object_.area() < bound ||
@@ -151,7 +150,7 @@ const std::vector<double>& Rules::places(RatedSet& set) const {
   return *set.places;
 }
 
-// Whether coverage decides against a, since no earlier key can decide for a.
+// Whether `a` covers less and no earlier key can decide for it.
 bool Rules::surely_loses_by_coverage(RatedSet& a, RatedSet& b) const {
   if (survive_ > 0 && steady(b) < survive_) return false;
   if (holds_ && level(b) < best_level) return false;

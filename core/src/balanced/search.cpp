@@ -21,8 +21,8 @@ std::size_t completions_of_start(const Rules& rules) {
   return stands * (robots - 1) + (robots == 4 ? stands * stands : 0);
 }
 
-// A step is about a microsecond. A candidate costs one step, and more on a winding outline, since
-// the coverage of its set is summed along it.
+// A step takes about a microsecond. A candidate costs one step, and more on a winding outline,
+// since the coverage of its set is summed along it.
 std::size_t steps_of_completion(const Rules& rules) {
   constexpr std::size_t most_candidates = 2'000, winding = 50;
   const std::size_t candidates = rules.chords().count_about(rules.centre(), most_candidates);

@@ -22,7 +22,7 @@ std::size_t sort_positions(const std::vector<LiftingPoint>& robots, const Vec2& 
   return number;
 }
 
-// The chain of left turns through points sorted to the right or to the left.
+// A chain of left turns through points in sorted or reverse order.
 class Chain {
  public:
   void append(const Vec2& p) {

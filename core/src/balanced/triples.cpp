@@ -5,7 +5,7 @@ namespace evenlift::balanced {
 namespace {
 
 // How many of the three pairs must be neighbours along the outline. Beyond 24 robots, two pairs
-// cost 1 percentage point of coverage against one, and take a twentieth of the time.
+// cost 1 percentage point more coverage than one but take a twentieth of the time.
 std::uint32_t neighbours_needed(std::uint32_t robots) {
   return robots <= 12 ? 0 : robots <= 24 ? 1 : 2;
 }

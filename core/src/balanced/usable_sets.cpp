@@ -11,8 +11,8 @@
 namespace evenlift::balanced {
 namespace {
 
-// The part of an edge where robots can stand, by distances t along the edge. Their lifting points
-// are at start + t along, relative to C.
+// A usable interval of an edge, by distances t along the edge. The lifting point of t is at(t),
+// relative to C.
 struct Interval {
   std::uint32_t edge = 0;
   double from = 0, to = 0;
@@ -27,10 +27,10 @@ struct Group {
   const Interval* interval;
   std::uint32_t robots;
   double middle, half;  // from middle - half to middle + half
-  double share = 0;     // of the middle, as a share of `half`, -1 .. 1
+  double share = 0;     // the middle is at `middle + share * half`; -1 .. 1
 };
 
-// Directions in which sums are bounded before they are solved.
+// can_balance() bounds sums in these directions before settle() solves them.
 constexpr std::array<std::array<double, 2>, 16> compass{{{1, 0},
                                                          {2, 1},
                                                          {1, 1},
@@ -59,8 +59,8 @@ Reach reach_of(const Interval& interval) {
   return reach;
 }
 
-// Finds shares that make the groups' sum 0: those that reach farthest towards the missing vector,
-// scaled back (a knapsack with divisible items). False if the groups cannot reach it.
+// Finds shares that make the sum of all positions 0: those that move it farthest straight towards
+// 0, scaled back (a knapsack with divisible items). Returns false if it cannot reach 0.
 bool settle(std::vector<Group>& groups, double near) {
   Vec2 missing = Vec2::Zero();
   for (const Group& group : groups) missing -= group.robots * group.interval->at(group.middle);
@@ -72,7 +72,7 @@ bool settle(std::vector<Group>& groups, double near) {
     double sign, across, ahead;
   };
   std::vector<Item> items;
-  double behind = 0;  // the balance across of the items not taken yet, which have the share -1
+  double behind = 0;  // the sum of `across`; with all shares at -1, the balance is -behind
   for (Group& group : groups) {
     const Vec2 whole = group.robots * group.half * group.interval->along;
     double across = cross(towards, whole), ahead = dot(towards, whole);
@@ -151,8 +151,8 @@ class UsableSets {
     }
   }
 
-  // Distributes the remaining robots over the intervals from `from` on. `reach`: how far from C the
-  // robots so far can reach, in the directions of the compass.
+  // Distributes `left` robots over the intervals from `from` on. `reach` bounds the sum of the
+  // robots so far in each direction of the compass.
   void choose(std::size_t from, std::uint32_t left, const Reach& reach) {
     if (left == 0) return settle_and_keep();
     if (from == intervals_.size() || ++nodes_ > most_nodes || !can_balance(from, left, reach))

@@ -19,7 +19,6 @@ constexpr int slope_bits = 40;
 constexpr SlopeKey vertical_slope = (SlopeKey{1} << slope_bits) - 1;
 static_assert(max_edge_pairs <= SlopeKey{1} << number_bits && number_bits + slope_bits == 64);
 
-// Implements settle_order.
 class Settler {
  public:
   Settler(std::vector<Candidate>& candidates, double near) : candidates_(candidates), near_(near) {}
@@ -37,8 +36,8 @@ class Settler {
  private:
   const Vec2& direction(std::size_t i) const { return candidates_[i].direction; }
 
-  // Calls visit(begin, end) for each maximal run of at least two candidates in which together(i)
-  // holds for each i and i + 1.
+  // Calls visit(begin, end) for each maximal run of two or more candidates in which together(i)
+  // joins each i to i + 1.
   template <class Together, class Visit>
   void for_each_run(Together together, Visit visit) {
     for (std::size_t begin = 0, end; begin < candidates_.size(); begin = end) {

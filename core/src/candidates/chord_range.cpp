@@ -8,11 +8,11 @@
 namespace evenlift {
 namespace {
 
-constexpr double least_ratio = 1e-12;  // below it a chord has practically no other end
+constexpr double least_ratio = 1e-12;  // below it, one end is practically at infinity
 
 }  // namespace
 
-// The part of a piece of a in which q is from `low` to `high`.
+// The part of a piece of `a` in which q is from `low` to `high`.
 std::optional<Stretch> ChordRange::with_ratio(Stretch stretch, double low, double high) const {
   for (const double bound : {low, high}) {
     const double sign = bound == low ? 1 : -1;
@@ -26,13 +26,13 @@ std::optional<Stretch> ChordRange::with_ratio(Stretch stretch, double low, doubl
   return stretch;
 }
 
-// The position on a of the chord at t_b along b.
+// The place along `a` of the chord at `t_b` along `b`.
 double ChordRange::on_a(double t_b) const {
   const Vec2 r_b = b_.at(t_b);
   return dot(r_b * (a_.height / cross(r_b, a_.along)) - a_.start, a_.along);
 }
 
-// The part of a piece of a, with q above 0, whose chords end in a piece of b.
+// The part of a piece of `a` whose chords end in a piece of `b`; q must be above 0.
 std::optional<Stretch> ChordRange::that_reach(const Stretch& stretch, const Stretch& of_b) const {
   double t_low = stretch.from, t_high = stretch.to;
   double low = on_b(t_low), high = on_b(t_high);

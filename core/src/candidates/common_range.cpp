@@ -12,14 +12,14 @@ struct SeenEnds {
   std::uint32_t first, last;
 };
 
-// The range of directions in which C sees edge a ahead and edge b behind, if it is open. The ranges
-// of a and of the mirror image of b are less than 180 degrees, so the signs of the turns between
-// their ends decide everything.
+// The open range of directions in which C sees edge `a` ahead and edge `b` behind, if any. C sees
+// `a` and the mirror image of `b` at less than 180 degrees, so the signs of the turns between their
+// ends decide everything.
 std::optional<EdgePair> common_range(const Polygon& polygon, const Vec2& centre, std::uint32_t a,
                                      SeenEnds of_a, std::uint32_t b, SeenEnds of_b) {
   const Vec2 &p = polygon.vertex(of_a.first), &q = polygon.vertex(of_a.last);
   const Vec2 &r = polygon.vertex(of_b.first), &s = polygon.vertex(of_b.last);
-  // Each is positive if the direction of its first point comes before that of its second.
+  // Positive if the first point comes before the second; r and s are mirrored in C.
   const double p_r = -orient(centre, p, r), p_s = -orient(centre, p, s),
                r_q = -orient(centre, r, q), q_s = -orient(centre, q, s);
   const bool begins_at_p = p_r <= 0 && p_s > 0, begins_at_r = p_r >= 0 && r_q > 0;

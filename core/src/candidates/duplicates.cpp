@@ -57,9 +57,9 @@ class Merger {
 
  private:
   // Slopes run from -2 to 2, repeat after a full turn, and change by at most twice the angle. If
-  // the ends of two chords agree, their vectors u differ by at most 2 near, so the sine of their
-  // angle is at most s = 2 near / |u|, and the angle at most pi / 2 s; 8 near / |u| is more than
-  // twice the angle and all rounding. The slope of the rounded ends may differ from that of
+  // the ends of two chords agree, their vectors u differ by at most 2 `near`, so the sine of their
+  // angle is at most s = 2 near / |u|, and the angle at most s pi / 2; 8 near / |u| exceeds twice
+  // the angle and all rounding. The slope of the rounded ends may differ from that of
   // Candidate::direction.
   Slopes slopes(Index i) const {
     const Vec2 u = candidates_[i].chord.r2.position - candidates_[i].chord.r1.position;
@@ -122,11 +122,11 @@ class Merger {
         return std::min(p.y(), q.y());
     }
   }
-  // Coordinates change by at most as much as the ends, lengths by twice as much and rounding.
+  // Agreeing chords differ by at most `near` in coordinates, twice that plus rounding in length.
   double gap(int which) const { return which == 0 ? 3 * near_ : near_; }
 
   // Splits by one key after another until no key splits the group. Compares small or remaining
-  // groups pair by pair. `whole` counts the last keys that did not split.
+  // groups pair by pair. `whole` counts the keys in a row that did not split it.
   void split(Index* first, Index* last, int which, int whole) {
     constexpr std::ptrdiff_t small = 4;
     if (last - first < 2) return;

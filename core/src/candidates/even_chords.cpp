@@ -47,8 +47,7 @@ class EvenChords::Search {
         centre_(centre),
         twice_(2 * centre),
         most_(most) {
-    // Even chords within tolerance reach at most 3 tau L from the mirror image; the rest allows for
-    // rounding.
+    // The ends of even chords are within 3 tau L of the mirror image; the rest allows for rounding.
     near_ = near_distance(polygon_.diameter());
     constexpr double rounding = 0x1p-48;
     slack_ = 4 * near_ + rounding * (chords.size_ + centre.cwiseAbs().maxCoeff());
@@ -125,7 +124,7 @@ class EvenChords::Search {
   void add_pair(std::uint32_t a, std::uint32_t b) {
     auto pair = pair_of_edges(polygon_, centre_, a, b, near_);
     if (!pair) return;
-    // In the sweep over all pairs, a is the edge that the line's forward half meets.
+    // In the sweep over all pairs, the line's forward half meets `a`.
     const bool a_is_ahead = pair->begin_a != inside_edge
                                 ? is_forward(centre_, polygon_.vertex(pair->begin_a))
                                 : !is_forward(centre_, polygon_.vertex(pair->begin_b));
@@ -139,7 +138,7 @@ class EvenChords::Search {
     if (verdict.candidate) found_.push_back(*verdict.candidate);
   }
 
-  // Each vertex is the start of one edge.
+  // Edge v begins at vertex v.
   void add_opposite(std::uint32_t v, std::uint32_t w) {
     if (!are_opposite(polygon_.vertex(v) - centre_, polygon_.vertex(w) - centre_, near_)) return;
     const Candidate candidate = opposite_chord(polygon_, centre_, {std::min(v, w), std::max(v, w)});

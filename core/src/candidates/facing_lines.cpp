@@ -12,13 +12,13 @@ namespace {
 
 constexpr double half_turn = 2;  // of pseudo_angle
 
-// Directions are rounded here, unlike in RadialSweep (chords): these lines are computed, so no
-// vertex has an exact direction. That is safe: rounding confuses only lines whose common range of
-// directions is about 1e-16 rad. Such a range is one place within tau L, and ChordRange decides
-// afterwards, within tau L, whether a chord ends on both lines.
+// Unlike in RadialSweep (chords), directions are rounded: these lines are computed, so their ends
+// have no exact directions. Rounding confuses only lines whose common range of directions is about
+// 1e-16 rad. Such a range is one place within tau L, and ChordRange then decides, within tau L,
+// whether a chord ends on both lines.
 //
-// A line through C turns by 180 degrees. Its half ahead meets a line of the list from the line's
-// first to its last direction; its half behind meets it half a turn later.
+// A line through C turns by 180 degrees. Its half ahead meets each listed line from that line's
+// first to its last direction; its half behind, half a turn later.
 struct Event {
   double angle;  // in [0, half_turn)
   bool enters;   // leaving lines come first, since the ranges are open
@@ -74,7 +74,7 @@ void for_each_facing(const std::vector<StandLine>& lines, double near,
     if (first == last) continue;
     for (const auto& [angle, enters] : {std::pair(first, true), std::pair(last, false)})
       events.push_back({angle - half_turn * side_of(angle), enters, i, side_of(angle)});
-    // The lines met at first.
+    // Lines that are met from the beginning.
     if (first > last && last > 0) met[0].add(i);
     if (first < half_turn && last > half_turn) met[1].add(i);
   }

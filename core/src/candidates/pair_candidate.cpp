@@ -23,7 +23,7 @@ Candidate make_candidate(const Chord& chord, CandidateKind kind, const Vec2& dir
 
 // Edges that count as parallel are rarely parallel to the last bit, so the middles of their
 // sections do not quite face each other. The chord where g is the geometric mean of its values at
-// the ends lies between the two middles, whichever edge is called a.
+// the ends lies between the two middles, whichever edge is `a`.
 Candidate midpoint_candidate(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                              const SeenEdge& b, const SectionEnd& begin, const SectionEnd& end) {
   const double root0 = std::sqrt(begin.g), root1 = std::sqrt(end.g), sum = root0 + root1;
@@ -64,8 +64,8 @@ std::optional<double> estimate_g(const Polygon& polygon, const Vec2& centre, con
 }
 
 // The vertex of the edge `other` that is opposite to the end's vertex and within sqrt(tau) L of the
-// point where the chord meets the edge, or inside_edge. Rounding moves that point far less, even
-// where C sees the edge at a flat angle. The distance is too small to see.
+// point where the chord meets the edge, or inside_edge. That distance is too small to see, but
+// rounding moves the point far less, even where C sees the edge at a grazing angle.
 std::uint32_t missed_vertex(const Polygon& polygon, const Vec2& centre, const SectionEnd& end,
                             std::uint32_t other) {
   const double diameter = polygon.diameter(), near = near_distance(diameter);
@@ -82,9 +82,9 @@ std::uint32_t missed_vertex(const Polygon& polygon, const Vec2& centre, const Se
   return missed;
 }
 
-// A section end as used in decisions. If its chord joins opposite vertices, or misses the second by
-// rounding, it is the chord between the two; if that is even, C bisects it. `g` keeps its value
-// along the section.
+// The section end that decisions use. A chord that joins opposite vertices, or misses the second by
+// rounding, counts as the chord between the two and, if that is even, as bisected by C. `g` keeps
+// the section's value.
 SectionEnd settled(const Polygon& polygon, const Vec2& centre, const SeenEdge& a, const SeenEdge& b,
                    SectionEnd end) {
   if (!joins_opposite_vertices(end))
@@ -138,10 +138,10 @@ Vec2 rightward(const Vec2& direction) {
   return points_right(direction) ? direction : Vec2(-direction);
 }
 
-// r_a is where the line of a meets the line of b reflected through C (equation 3.6 without
+// r_a is where the line of `a` meets the line of `b` reflected through C (equation 3.6 without
 // trigonometry). If d are the edges' vectors and h twice the areas that they span with C, r_a - C
-// is -(h_b d_a + h_a d_b) / (d_a x d_b). For nearly parallel edges the sum cancels, and is computed
-// in double-double.
+// is -(h_b d_a + h_a d_b) / (d_a x d_b). For nearly parallel edges the sum cancels, so it is
+// computed in double-double.
 Vec2 bisecting_offset(const Vec2& centre, const SeenEdge& a, const SeenEdge& b) {
   const Vec2 da = a.last - a.first, db = b.last - b.first;
   const double ha = a.doubled_area, hb = b.doubled_area;
@@ -204,7 +204,7 @@ SectionRim section_rim(const Polygon& polygon, const Vec2& centre, const SeenEdg
                        const SeenEdge& b, std::uint32_t vertex_a, std::uint32_t vertex_b) {
   const SectionEnd end = section_end(polygon, centre, a, b, vertex_a, vertex_b);
   const Chord chord = end_candidate(polygon, centre, a, b, end).chord;
-  // The chord's ends are in the order of the slope, not of a and b.
+  // The chord's ends are in the order of the slope, not of `a` and `b`.
   const bool vertex_is_right = !points_right(centre - polygon.vertex(end.vertex));
   const bool a_is_right = vertex_is_right == end.on_a;
   return {chord, a_is_right ? chord.r2.position : chord.r1.position,
@@ -232,7 +232,7 @@ PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& 
   }
   verdict.bisected = begin.compare_to_one * end.compare_to_one <= 0;
   if (verdict.bisected) {
-    // At the end of the section the vertex-chord is more precise.
+    // At a section's end, the vertex-chord is more precise.
     if (begin.compare_to_one == 0) {
       verdict.candidate = end_candidate(polygon, centre, a, b, begin);
     } else if (end.compare_to_one == 0) {
@@ -251,7 +251,7 @@ PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& 
   return verdict;
 }
 
-// Makes the tests of `examine` in its order; `unsure` wherever the errors of the estimates could
+// Makes the tests of examine() in order. Returns `unsure` where errors of the estimates could
 // change the verdict.
 QuickVerdict examine_quickly(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                              const SeenEdge& b, const EdgePair& pair, double min_ratio) {

@@ -11,7 +11,7 @@ namespace {
 
 Vec2 offset_at(const PairRange& range, double x) { return (1 - x) * range.a0 + x * range.a1; }
 
-// Where q, which must differ between the two ends, reaches a value.
+// The place where q, which must differ between the ends, has this value.
 double place_of(const PairRange& range, double q) {
   return std::clamp((q - range.q0) / (range.q1 - range.q0), 0.0, 1.0);
 }
@@ -72,8 +72,7 @@ double place_at(const PairRange& range, double s) {
 
 double place_towards(const PairRange& range, const Vec2& direction) {
   const double first = cross(range.a0, direction), last = cross(range.a1, direction);
-  // C sees the edge at less than 180 degrees, so first and last differ in sign where C sees the
-  // place.
+  // The line through C along `direction` meets the edge's line at x, ahead of C or behind it.
   const double x = first == last ? range.first : first / (first - last);
   const bool ahead = dot(Vec2((1 - x) * range.a0 + x * range.a1), direction) > 0;
   if (ahead) return std::clamp(x, range.first, range.last);

@@ -38,7 +38,7 @@ class Finder {
         near_(near),
         pieces_(range_.pieces(min_ratio)) {}
 
-  // The best chord is passed to `take` first, unless it is already known.
+  // Passes the best chord to `take` first, unless it is already known.
   template <class Take>
   void run(bool best_is_known, Take take) const {
     if (pieces_.empty()) return;
@@ -57,7 +57,7 @@ class Finder {
                           even ? CandidateKind::bisecting : CandidateKind::range);
   }
 
-  // The range in which the lines face each other, limited to places to stand.
+  // The range in which the lines, from their first to last usable places, face each other.
   std::optional<Stretch> whole() const {
     return range_.common({a_.low, a_.high}, {b_.low, b_.high});
   }
@@ -129,11 +129,10 @@ class Finder {
   const StandLine &a_, &b_;
   ChordRange range_;
   double near_;
-  std::vector<Stretch> pieces_;  // of a, on which robots can stand at both ends of the chord
+  std::vector<Stretch> pieces_;  // of `a`, where robots can stand at both ends of a chord
 };
 
-// The chords at which robots can stand without a collision, the best one first. If `best` is given,
-// it is taken as it is. Without a line there are no others.
+// If `best` is given, it comes first, unchanged. If a line is missing, there are no others.
 std::vector<Candidate> usable_chords(const std::optional<Candidate>& best, const Stands& stands,
                                      const Vec2& centre, const StandLine* a, const StandLine* b,
                                      double min_ratio, double near) {

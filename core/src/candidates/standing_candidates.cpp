@@ -15,7 +15,7 @@
 namespace evenlift {
 namespace {
 
-// The unsorted candidates; of each source the best one first. Until the end a candidate's source is
+// The unsorted candidates, the best of each source first. Until the end, a candidate's `source` is
 // its number here.
 struct Found {
   struct Origin {

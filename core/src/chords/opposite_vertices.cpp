@@ -42,10 +42,10 @@ class Finder {
   }
 
  private:
-  // Notes i and j if they are opposite and i is nearer to C. Returns false if their lines through C
-  // are too far apart: then no vertex beyond j that is farther from C than i can be opposite to i.
-  // C is within tau L of the line of two vertices with arms a <= b only if the sine of the angle
-  // between those lines is at most tau L (a + b) / (a b) <= 2 tau L / a.
+  // Notes i and j if they are opposite and i is nearer to C. Returns false if there are too many or
+  // if no vertex beyond j that is farther from C than i can be opposite to i: C is within tau L of
+  // the line of two vertices with arms a <= b only if the sine of the angle between their lines
+  // through C is at most tau L (a + b) / (a b) <= 2 tau L / a.
   bool look(std::size_t i, std::size_t j) {
     const Seen &a = seen_[i], &b = seen_[j];
     const double side = std::fabs(cross(a.position, b.position));

@@ -13,11 +13,10 @@
 namespace evenlift {
 namespace {
 
-// The difference of two pseudo-angles of directions rounded once has an error below 2^-48, so a
-// difference above the threshold is certain.
+// Directions are rounded once, so differences of pseudo-angles have errors below 2^-48, and those
+// above this threshold are certain.
 constexpr double surely_apart = 0x1p-46;
 
-// Sorts by direction modulo 180 degrees, exactly.
 class DirectionSort {
  public:
   DirectionSort(const Polygon& polygon, const Vec2& centre)

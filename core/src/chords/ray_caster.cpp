@@ -26,8 +26,8 @@ RayCaster::RayCaster(const Polygon& polygon, const Vec2& centre) : centre_(centr
   }
 }
 
-// Both edges at a vertex test it in the same way. So it is listed once, even where the boundary
-// touches the ray there and turns back.
+// Both edges at a vertex use this test, so it is listed once, even where the boundary touches the
+// ray there and turns back.
 bool RayCaster::meets_vertex(const Vec2& u, std::uint32_t vertex) const {
   return directions_agree(u, vertices_[vertex]);
 }

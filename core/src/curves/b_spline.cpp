@@ -22,7 +22,7 @@ class Span {
        std::size_t k)
       : control_(control), knots_(knots), degree_(degree), k_(k) {}
 
-  // The value with `ends` of the arguments at the end of the span. De Boor's algorithm.
+  // The value with `ends` arguments at the end of the span, by de Boor's algorithm.
   Point corner(std::size_t ends) const {
     Point d[max_spline_degree + 1];
     for (std::size_t j = 0; j <= degree_; ++j) d[j] = control_[k_ - degree_ + j];
@@ -42,7 +42,7 @@ class Span {
   std::size_t degree_, k_;
 };
 
-// Spans without weights of degree 1 to 3, which are pieces of an outline.
+// Unweighted spans of degree 1 to 3, which are pieces of an outline.
 class PlainSpans {
  public:
   PlainSpans(const Points& control, const std::vector<double>& knots, std::size_t degree)
@@ -100,7 +100,7 @@ class WeightedSpans {
   double tolerance_;
 };
 
-// The pieces of all spans with a length. `gap` is the greatest that counts as none.
+// The pieces of all spans with a length. Gaps up to `gap` count as none.
 template <class Spans>
 std::optional<Outline> outline_of(const Spans& spans, const std::vector<double>& knots,
                                   std::size_t degree, double gap, std::size_t most) {

@@ -1,10 +1,10 @@
-// A curve is halved until this upper bound of the distance of its points from its chord, as a
-// segment, is within the tolerance:
+// A curve is halved until an upper bound of the distance of its points from its chord, a segment,
+// is within the tolerance:
 //   conic  a point is s of the way from a point of the chord to the control point; s is at most
 //          w / (1 + w), where the chord's point is its middle
 //   cubic  B(t) - L(t) = 3 t (1 - t)^2 d1 + 3 t^2 (1 - t) d2, where L moves uniformly along the
-//          chord, and d1, d2 are the control points' distances from L(1/3), L(2/3); so at most 3/4
-//          of the greater distance
+//          chord, and d1, d2 are the control points' offsets from L(1/3), L(2/3); so at most 3/4
+//          of the longer offset
 // If all control points lie beside the chord, not beyond its ends, the components of these
 // distances along the chord do not count.
 #include <cmath>

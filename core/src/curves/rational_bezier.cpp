@@ -1,7 +1,7 @@
-// The curve is N(t) / W(t), both polynomials in the Bernstein basis, and the cubic is C(t). N - C W
-// is a polynomial of degree + 3 with coefficients E_k, and W, raised to that degree, has W_k. The
-// curve less the cubic is the sum of B_k E_k over the sum of B_k W_k. No B_k W_k is negative, so
-// this average of E_k / W_k is at most as long as the longest.
+// The curve of degree n is N(t) / W(t), and the cubic is C(t). In the Bernstein basis B_k of degree
+// n + 3, N - C W has coefficients E_k, and W has W_k. The curve less the cubic is the sum of
+// B_k E_k over the sum of B_k W_k. No B_k W_k is negative, so this average of E_k / W_k is no
+// longer than the longest.
 #include "curves/rational_bezier.h"
 
 #include <algorithm>
@@ -19,7 +19,6 @@ struct Cubic {
   Vec2 points[4];
 };
 
-// With the same ends and derivatives there.
 Cubic tangent_cubic(const RationalBezier& curve) {
   const std::size_t n = curve.degree;
   const WeightedPoint* p = curve.points;

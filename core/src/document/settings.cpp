@@ -55,7 +55,7 @@ constexpr SettingRow::Access of() {
   return access;
 }
 
-// A part of a robot's size: 0 and -0 would make two documents.
+// read_size() turns -0 into 0, so that both give one document.
 template <double RobotSize::*part>
 constexpr SettingRow::Access part_of_robot() {
   SettingRow::Access access = of<&Settings::robot, part>();
@@ -65,7 +65,7 @@ constexpr SettingRow::Access part_of_robot() {
   return access;
 }
 
-// Supports, which bring their capacities and their method.
+// Supports; their text also sets capacities and method.
 constexpr SettingRow::Access supports_with_capacities() {
   SettingRow::Access access = of<&Settings::supports>();
   access.read = [](std::string_view text, const SettingRange&, Document& document) {
@@ -85,7 +85,7 @@ constexpr SettingRow::Access slope_as_text() {
   return access;
 }
 
-// A list that quotes the part that it refuses.
+// A list whose refusal quotes the refused part.
 constexpr SettingRow::Access quoting(SettingRow::Access access,
                                      std::string_view (*refused)(std::string_view)) {
   access.refused = refused;

@@ -7,7 +7,7 @@ namespace evenlift {
 namespace {
 
 std::size_t count_edits(std::string_view a, std::string_view b) {
-  // Row i has the edits from the first i bytes of a to each beginning of b.
+  // Row i counts the edits from the first i bytes of `a` to each beginning of `b`.
   std::vector<std::vector<std::size_t>> edits(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i)
     for (std::size_t j = 0; j <= b.size(); ++j) {

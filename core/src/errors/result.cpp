@@ -5,7 +5,6 @@
 namespace evenlift {
 namespace {
 
-// How vertices or edges are named.
 struct Words {
   const char *one, *two, *in_hole, *two_in_hole, *of_outline;
 };

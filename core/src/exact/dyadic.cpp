@@ -28,7 +28,7 @@ void Dyadic::Limbs::drop_lowest(std::size_t number) {
   for (std::size_t i = 0; i < size_; ++i) (*this)[i] = (*this)[i + number];
 }
 
-// The digits of a magnitude above zeros down to the exponent `lowest`.
+// A magnitude's digits, followed by zeros down to the exponent `lowest`.
 class Dyadic::Aligned {
  public:
   Aligned(const Dyadic& of, std::int64_t lowest)

@@ -13,7 +13,7 @@ constexpr double smallest_safe = 1e-250;
 // Stage A, the floating-point filter. A product has an error of at most 2^-50 of its size, so
 // results above this fraction of the sum of the sizes have a relative error below 2^-45.
 constexpr double double_filter_threshold = 0x1p-5;
-// Stage B, the filter for double-double, where products have errors of at most 2^-98.
+// Stage B, the same for double-double: products have errors of at most 2^-100.
 constexpr double double_double_filter_threshold = 0x1p-55;
 
 // The factors of x1 y2 - x2 y1 in a number type.
@@ -41,8 +41,8 @@ double adaptive_determinant(const Products<double>& coarse, double size1, double
 
     const Products<DoubleDouble> f = fine();
     if (f.x1.is_double() && f.y1.is_double() && f.x2.is_double() && f.y2.is_double()) {
-      // With integers and other short coordinates both products are exact. Points on one line of a
-      // grid give equal ones, the most frequent case after the filter.
+      // With integers and other short coordinates, both products are exact. They are equal for
+      // points on one line of a grid, the most frequent case after the filter.
       const DoubleDouble first = two_product(f.x1.hi, f.y2.hi),
                          second = two_product(f.x2.hi, f.y1.hi);
       if (first.hi == second.hi && first.lo == second.lo) return 0;

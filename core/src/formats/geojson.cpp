@@ -83,7 +83,6 @@ class GeojsonReader final : public JsonSink {
   InputError error_at(std::size_t offset, ErrorCode code, const char* message) const {
     return text_error(code, message, text_, offset);
   }
-  // Stops with an error.
   bool fail(ErrorCode code, const char* message, std::size_t offset) {
     error_ = error_at(offset, code, message);
     return false;
@@ -186,7 +185,7 @@ bool GeojsonReader::take(Role role, const JsonValue& value, std::size_t index) {
 
 bool GeojsonReader::take_centre(Role role, const JsonValue& value, std::size_t index) {
   if (role == Role::centre) {
-    if (value.kind == Kind::null) return true;  // null means no centre
+    if (value.kind == Kind::null) return true;
     has_centre_ = value.kind == Kind::array;
     if (has_centre_) return true;
   } else if (value.kind == Kind::number) {

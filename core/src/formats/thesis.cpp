@@ -1,5 +1,5 @@
 // The thesis's format (appendix A.1): optionally `CoM:(x,y)` on the first line, then one `(x,y)` on
-// each line. Lines for holes and cargo may follow, which the thesis does not have.
+// each line. Lines for holes and cargo, which the thesis lacks, may follow.
 #include <string>
 #include <utility>
 
@@ -100,7 +100,6 @@ std::optional<InputError> take_cargo(TextCursor& cursor, Settings& settings) {
   return std::nullopt;
 }
 
-// The error about a misplaced line at the cursor.
 InputError out_of_place(const TextCursor& cursor, bool after_cargo) {
   if (same_word(cursor.word(), "com"))
     return cursor.error(ErrorCode::bad_syntax, "'CoM:' may appear only once, before the vertices");

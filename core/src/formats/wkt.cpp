@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view multipolygon = "multipolygon";
 
-// Reads all before the first parenthesis, and whether it names a MULTIPOLYGON.
+// Reads everything before the first parenthesis, and whether it names a MULTIPOLYGON.
 std::optional<InputError> take_keywords(TextCursor& cursor, bool& of_several) {
   const std::size_t start = cursor.offset();
   const std::string_view word = cursor.take_word();
@@ -50,7 +50,8 @@ std::optional<InputError> take_keywords(TextCursor& cursor, bool& of_several) {
   return std::nullopt;
 }
 
-// Reads `x y` and counts further coordinates, or refuses them. The caller checks the rest.
+// Reads a position. If it has further coordinates, adds 1 to `beyond`, or refuses them if that is
+// null. The caller checks the rest.
 std::optional<InputError> take_position(TextCursor& cursor, Vec2& point, std::size_t* beyond) {
   constexpr std::size_t most_coordinates = 4;
   cursor.skip_white_space();
@@ -62,7 +63,7 @@ std::optional<InputError> take_position(TextCursor& cursor, Vec2& point, std::si
   for (std::size_t count = 2;; ++count) {
     const std::size_t end_of_last = cursor.offset();
     cursor.skip_white_space();
-    // Programs write a height that they do not know as NaN.
+    // Programs write an unknown height as NaN.
     const bool unknown = beyond && same_word(cursor.word(), "nan");
     if (cursor.offset() == end_of_last || (!unknown && !cursor.sees_number())) return std::nullopt;
     if (!beyond || count == most_coordinates)

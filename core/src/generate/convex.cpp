@@ -43,8 +43,7 @@ bool is_zero(const Vector& v) { return v.x == 0 && v.y == 0; }
 bool lower_half(const Vector& v) { return v.y < 0 || (v.y == 0 && v.x < 0); }
 std::int64_t cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
 
-// Counter-clockwise from the direction of x. Zero vectors come first, so that they count as
-// repeats.
+// Counter-clockwise from the direction of x. Zero vectors, which have none, come first.
 bool before(const Vector& a, const Vector& b) {
   if (is_zero(a) || is_zero(b)) return is_zero(a) && !is_zero(b);
   if (lower_half(a) != lower_half(b)) return lower_half(b);
@@ -53,7 +52,7 @@ bool before(const Vector& a, const Vector& b) {
 bool same_direction(const Vector& a, const Vector& b) { return !before(a, b) && !before(b, a); }
 
 // Sorts by direction until no two agree, so that the outline is strictly convex. If two agree, one
-// trades a small difference with a random vector, which keeps the sum. The grid has many more than
+// gains a small vector and a random one loses it, which keeps the sum. The grid has many more than
 // n directions, so few repeats remain after each round.
 void make_directions_distinct(std::vector<Vector>& vectors, std::int64_t reach, Rng& rng) {
   for (bool repeats = true; repeats;) {
@@ -109,7 +108,7 @@ GridPolygon convex(std::size_t n, Rng& rng) {
   polygon.decimals = n <= 1000 ? 3 : n <= 100000 ? 5 : 6;
   const std::int64_t extent = nearest(1000 * units(polygon.decimals));
   const double square = static_cast<double>(extent) * static_cast<double>(extent);
-  // A few vertices may give a sliver: draw again.
+  // Few vertices may give a sliver: draw again.
   for (int attempt = 0; attempt < 20; ++attempt) {
     polygon.vertices = draw_outline(n, extent, rng);
     if (doubled_area(polygon.vertices) > 0.5 * square) break;

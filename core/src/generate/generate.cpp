@@ -73,7 +73,7 @@ GridPolygon regular(std::size_t n) {
 }
 
 // Draws one direction in each n-th of the circle, less a margin. So they stay in order after
-// rounding, and no two of three or four are 180 degrees apart.
+// rounding, and neighbours are less than 180 degrees apart.
 GridPolygon star(std::size_t n, Rng& rng) {
   GridPolygon polygon;
   polygon.decimals = readable_decimals(n);
@@ -129,8 +129,8 @@ GridPolygon comb(std::size_t n, Rng& rng) {
 }
 
 // A strip wound about (500, 500) along r = start + pitch * turns. The vertices of all turns lie on
-// the same k rays. Between neighbouring rays the edges keep the order in which they cross both, so
-// none meet. There are at most six turns; more vertices make the spiral rounder.
+// the same rays. Edges cross neighbouring rays in the same order, so none meet. There are at most
+// six turns; more vertices make the spiral rounder.
 GridPolygon spiral(std::size_t n, Rng& rng) {
   GridPolygon polygon;
   polygon.decimals = readable_decimals(n);

@@ -42,9 +42,9 @@ void join(CellTree& tree, std::size_t cell, std::size_t neighbour) {
   b.used = true;
 }
 
-// Grows `size` cells from the middle of a square, of which they fill about two thirds. Growing from
-// the newest cell makes corridors, growing from any cell branches; a random mixture makes both.
-// O(size).
+// Grows `size` cells from the middle of a square, of which they fill about two thirds. Growth from
+// the newest cell makes corridors, growth from any cell makes branches, and a random mixture makes
+// both. O(size).
 CellTree grow_tree(std::size_t size, Rng& rng) {
   CellTree tree;
   tree.side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(size) / 0.68)));
@@ -185,8 +185,8 @@ class Outline {
       points_.push_back({nearest((x - x0) * unit_), nearest((y - y0) * unit_)});
   }
 
-  // Whether the triangle of v and its neighbours contains no other vertex, and the new edge keeps
-  // at least `clearance` from all other vertices.
+  // Whether the triangle of v and its neighbours spans at most `most_boxes` boxes and contains no
+  // other vertex, and the new edge keeps `clearance` from the other vertices in these boxes.
   bool can_cut(std::size_t v, std::size_t most_boxes, double clearance) const {
     const std::size_t a = previous_[v], c = next_[v];
     std::size_t column0 = none, column1 = 0, row0 = none, row1 = 0;
@@ -231,15 +231,15 @@ class Outline {
   std::vector<Node> nodes_;
   std::size_t columns_;
   std::vector<std::size_t> occupant_;
-  std::vector<std::size_t> previous_, next_;  // none: cut off
+  std::vector<std::size_t> previous_, next_;  // `next_` is none: cut off
   std::vector<GridPoint> points_;
   double unit_ = 1;  // mean width of a column, in grid units
   std::size_t left_ = 0;
 };
 
-// Whether some point, or almost one, sees the whole of a counter-clockwise outline: clips a large
-// square by each edge's inner side, with a little slack, which polygon/clip.h does not allow. O(n)
-// times the corners of the remaining square, which is soon empty.
+// Whether some point sees all, or nearly all, of a counter-clockwise outline: clips a large square
+// by each edge's inner side, with a little slack, which polygon/clip.h does not allow. O(n) times
+// the corners of the remaining square, which is soon empty.
 bool is_star_shaped(const std::vector<GridPoint>& outline) {
   struct Corner {
     double x, y;
@@ -250,7 +250,7 @@ bool is_star_shaped(const std::vector<GridPoint>& outline) {
     const GridPoint& a = outline[i];
     const GridPoint& b = outline[i + 1 == outline.size() ? 0 : i + 1];
     const auto dx = static_cast<double>(b.x - a.x), dy = static_cast<double>(b.y - a.y);
-    const auto side = [&](const Corner& p) {  // > 0 on the inner side; how far, in edge lengths
+    const auto side = [&](const Corner& p) {  // distance inwards in edge lengths, plus slack
       const double cross =
           dx * (p.y - static_cast<double>(a.y)) - dy * (p.x - static_cast<double>(a.x));
       return cross / (dx * dx + dy * dy) + slack;
@@ -278,8 +278,8 @@ GridPolygon random(std::size_t n, Rng& rng) {
   // A third more vertices than are kept, because cuts make edges of all lengths and directions; for
   // few vertices, enough cells for a bend.
   const std::size_t cells = std::max<std::size_t>(n <= 5 ? 2 : 4, (n + n / 3 + 3) / 4);
-  // With up to five vertices every polygon is star-shaped. With a few more, some are, and others
-  // are tried.
+  // With up to five vertices every polygon is star-shaped. With a few more, some are, and are drawn
+  // again.
   const int attempts = n <= 5 ? 1 : 1000;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     const CellTree tree = grow_tree(cells, rng);

@@ -1,4 +1,3 @@
-// The required accuracy of robots: the hold that remains without the contacts near corners.
 #include <algorithm>
 #include <cmath>
 
@@ -9,8 +8,8 @@
 namespace evenlift {
 namespace {
 
-// The contacts, the farthest from a corner or from an end of their side first. If the first k have
-// form closure or a large margin, so do more. So bisection finds the number.
+// The contacts, farthest from a corner or from an end of their side first. If the first k give form
+// closure or a large margin, so do more, so bisection finds the least k.
 class FarthestFirst {
  public:
   FarthestFirst(const Polygon& polygon, const Vec2& centre, const std::vector<Contact>& contacts,
@@ -25,7 +24,7 @@ class FarthestFirst {
       contacts_.push_back(contacts[i]);
   }
 
-  // The fewest contacts that hold; the number of contacts plus one if not even all hold.
+  // The least k for which the first k contacts hold; size() + 1 if there is none.
   std::size_t fewest_that_hold() const {
     return first(1, [&](std::size_t number) {
       return in_form_closure(polygon_, centre_, first_contacts(number));
@@ -35,8 +34,8 @@ class FarthestFirst {
   const Contact& last_of(std::size_t number) const { return contacts_[number - 1]; }
   std::size_t size() const { return contacts_.size(); }
 
-  // The supremum of min(k, R m(k)) over the sets of contacts that are at least k away. With more
-  // contacts the distance falls and the margin grows, so the best set is one of two neighbours.
+  // Clearance::tolerance (closure.h). With more contacts the distance falls and the margin grows,
+  // so the best number is one of two neighbours.
   double tolerance() const {
     const auto by_margin = [&](std::size_t number) {
       const auto margin = analyse_hold(polygon_, centre_, first_contacts(number)).margin;

@@ -14,7 +14,8 @@
 namespace evenlift {
 namespace {
 
-// Half the side of the square about C to which regions are clipped, in units of L.
+// Half the side of the square about C to which regions are clipped, in diagonals of the bounding
+// box.
 constexpr double square_half_side = 100;
 
 enum class Sense { counterclockwise, clockwise };
@@ -40,8 +41,8 @@ std::vector<HalfPlane> rotation_centres(const Grasp& grasp, Sense sense, double 
 
 // The largest distance along an axis at which a rotation centre counts; beyond it, a rotation is a
 // translation within tolerance. If a translation is free, some contacts may be on edges drawn
-// parallel, which rounding turns by some 1e-14. Where their normal lines meet farther away than
-// L / sqrt(tau), about 3e4 L, that is not a property of the shape.
+// parallel, which rounding turns by some 1e-14. Their normal lines meet beyond L / sqrt(tau), about
+// 3e4 L, if at all; that is not a property of the shape.
 double farthest_centre(const Grasp& grasp, bool translation_free) {
   return grasp.diameter / (translation_free ? std::sqrt(tau) : tau);
 }
@@ -52,8 +53,7 @@ HalfPlane within_reach(int axis, double reach) {
   return {Vec2::Zero(), directions[axis], reach};
 }
 
-// Whether some centre of rotation within `reach` is free if the half-planes are widened by
-// `offset`.
+// The half-planes are widened by `offset`.
 bool some_centre_is_free(const Grasp& grasp, Sense sense, double offset, double reach) {
   std::vector<HalfPlane> planes = rotation_centres(grasp, sense, offset);
   for (int axis = 0; axis < axes; ++axis) planes.push_back(within_reach(axis, reach));
@@ -186,8 +186,7 @@ bool resists_at(const Grasp& grasp, const Vec2& c) {
   return !have_common_point(planes);
 }
 
-// Second-order immobility (Rimon and Burdick): the curvature of every motion that is free to first
-// order drives the object into a robot.
+// Whether the curvature of every motion that is free to first order drives the object into a robot.
 bool immobile_to_second_order(const Grasp& grasp, const Closure& closure) {
   if (closure.form_closure || closure.translation_free) return false;
   for (const auto& [region, sense] :

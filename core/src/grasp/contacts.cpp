@@ -10,7 +10,7 @@
 namespace evenlift {
 namespace {
 
-// For so few points, a look at every vertex costs less than sorting the vertices.
+// Up to this many points, looking at every vertex costs less than sorting them.
 constexpr std::size_t few_points = 32;
 
 // The convex vertices at the ends of an edge's straight run (polygon/corners.h). Without `corners`,
@@ -38,8 +38,7 @@ class NearestVertex {
   NearestVertex(const Polygon& polygon, const Vec2& point, double within)
       : polygon_(polygon), point_(point), least_(within) {}
 
-  // False only for a place that is too far away. The margin is more than the rounding of a
-  // difference.
+  // False only for a place that is too far away. The factor 2 exceeds the rounding of a difference.
   bool may_be(const Vec2& place) const { return std::fabs(place.x() - point_.x()) <= 2 * least_; }
 
   void add(std::uint32_t vertex) {
@@ -59,7 +58,7 @@ class NearestVertex {
   std::optional<std::uint32_t> nearest_;
 };
 
-// For each point the nearest vertex within a distance. O(m n) for m points.
+// O(m n) for m points.
 std::vector<NearestVertex> nearest_vertices(const Polygon& polygon,
                                             const std::vector<LiftingPoint>& points,
                                             double within) {
@@ -86,7 +85,6 @@ Contact contact_inside(const Polygon& polygon, const Corners* corners, const Vec
   return contact;
 }
 
-// `nearest` is the nearest vertex within tau L of each point.
 std::vector<Contact> contacts_of(const Polygon& polygon, const std::vector<LiftingPoint>& points,
                                  const std::vector<NearestVertex>& nearest,
                                  const Corners* corners) {
@@ -102,7 +100,6 @@ std::vector<Contact> contacts_of(const Polygon& polygon, const std::vector<Lifti
     const Vec2& position = polygon.vertex(*vertex);
     if (turn == Turn::straight)
       contacts.push_back(contact_inside(polygon, corners, position, *vertex, i));
-    // The notch of a reflex vertex keeps the robot in place.
     if (turn == Turn::reflex)
       for (const std::size_t edge : {std::size_t{*vertex}, polygon.previous(*vertex)})
         contacts.push_back({position, static_cast<std::uint32_t>(edge), i});

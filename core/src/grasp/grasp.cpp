@@ -33,8 +33,8 @@ struct PlacedTouch {
   std::size_t contact = 0;
 };
 
-// The first and the last contact along each edge, in the order of the contacts. Of a large team
-// they are few, so what follows costs little.
+// The first and the last contact along each edge, in the order of the contacts. They are few even
+// for many robots, so what follows costs little.
 std::vector<PlacedTouch> extremes_of_edges(const Polygon& polygon, const Grasp& grasp,
                                            const std::vector<Contact>& contacts) {
   struct Extremes {
@@ -62,8 +62,7 @@ std::vector<PlacedTouch> extremes_of_edges(const Polygon& polygon, const Grasp& 
   return extremes;
 }
 
-// Among touches whose edges have the same direction, decided exactly, only those farthest back and
-// farthest along it.
+// Keeps the first and the last of the touches whose edges have the same direction, decided exactly.
 std::vector<Touch> extremes_of_directions(const std::vector<PlacedTouch>& touches) {
   const auto order = sorted_indices(touches.size(), [&](std::uint32_t i, std::uint32_t j) {
     const Touch &a = touches[i].touch, &b = touches[j].touch;

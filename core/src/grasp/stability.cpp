@@ -9,7 +9,7 @@
 namespace evenlift {
 namespace {
 
-// The force that tips at q, on the line of a segment H beyond its end r.
+// The tipping force at q, which is on the line of a segment H beyond its end r.
 double force_beyond_end(const Vec2& r, const Vec2& centre, double weight, const Vec2& q) {
   return weight * length(r - centre) / length(q - r);
 }
@@ -32,7 +32,7 @@ Points relative_to(const Vec2& origin, const PolygonWithHoles& object) {
   return ring;
 }
 
-// The part of a ring, relative to the origin, within a hull in absolute coordinates.
+// The part of a ring, relative to `origin`, within a hull in absolute coordinates.
 Points part_within(Points ring, const Points& hull, const Vec2& origin) {
   for (std::size_t i = 0; i < hull.size(); ++i) {
     // The direction comes from the original corners. If two of them differ only by rounding,

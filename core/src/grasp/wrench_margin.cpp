@@ -39,7 +39,7 @@ int orient3(const Wrench& a, const Wrench& b, const Wrench& c, const Wrench& d) 
 }
 
 bool collinear(const Wrench& a, const Wrench& b, const Wrench& c) {
-  // Points are on one line if their projections to the coordinate planes are.
+  // Points are on one line if their projections onto the coordinate planes are.
   const auto flat = [&](int i, int j) {
     const auto d = [](double u, double v) { return Dyadic(u) - Dyadic(v); };
     return (d(b[i], a[i]) * d(c[j], a[j]) - d(b[j], a[j]) * d(c[i], a[i])).sign() == 0;
@@ -64,8 +64,8 @@ std::optional<std::array<Index, 4>> first_tetrahedron(const std::vector<Wrench>&
 }
 
 // The facets of the convex hull, counter-clockwise as seen from outside; empty if all points are in
-// one plane. The hull grows point by point: triangles from the new point to the boundary of the
-// facets that it sees replace these facets.
+// one plane. The hull grows point by point: triangles from a new point replace the facets that it
+// sees.
 std::vector<Triangle> hull_facets(const std::vector<Wrench>& w) {
   const auto start = first_tetrahedron(w);
   if (!start) return {};
@@ -89,9 +89,9 @@ std::vector<Triangle> hull_facets(const std::vector<Wrench>& w) {
 }
 
 // The distance of the plane through three points from the origin, positive if they turn
-// counter-clockwise as seen from beyond it. Wrenches of parallel edges are on one line except for
-// rounding, so some facets are slivers. Their planes must be computed exactly, or they could cut
-// through the hull.
+// counter-clockwise as seen from beyond the plane. Wrenches of parallel edges are on one line
+// except for rounding, so some facets are slivers. Their planes must be computed exactly, or they
+// could cut through the hull.
 double distance_of_plane(const Wrench& a, const Wrench& b, const Wrench& c) {
   const Wrench p = b - a, q = c - a;
   const Wrench normal = p.cross(q);
@@ -126,7 +126,7 @@ class NearestPoint {
 
  private:
   // Adds the point farthest towards the origin to the corral and moves to the new nearest point.
-  // False if there is none: the nearest point is found.
+  // False if the nearest point is already found.
   bool major_cycle() {
     constexpr double optimality_gap = 1e-15;
     const Index added = farthest_towards_origin();
@@ -153,7 +153,7 @@ class NearestPoint {
       return false;
     }
     double step = 1;
-    constexpr double above_zero = 1e-300;  // a weight at its goal needs no step
+    constexpr double above_zero = 1e-300;  // no division by 0
     for (std::size_t k = 0; k < corral_.size(); ++k) {
       const double goal = (*target)(static_cast<Eigen::Index>(k));
       if (goal < least_weight)
@@ -211,7 +211,7 @@ class NearestPoint {
   std::vector<double> weights_{1};
 };
 
-// In unit length, unless too short to have a direction.
+// The vector at unit length, or UnitX if it is too short to have a direction.
 Wrench direction_of(const Wrench& vector) {
   const double length = vector.norm();
   return length > tau ? Wrench(vector / length) : Wrench(Wrench::UnitX());
@@ -234,8 +234,8 @@ WeakestDirection weakest_of_few(const std::vector<Wrench>& wrenches) {
   double least = facets.empty() ? 0 : std::numeric_limits<double>::infinity();
   Triangle weakest{};
   for (Triangle facet : facets) {
-    // Begins with the facet's first wrench. The order in which std::partition leaves facets, and so
-    // their beginning, differs between standard libraries; the rounding must not.
+    // Begins with the facet's first wrench. The order in which std::partition leaves facets may
+    // differ between standard libraries; the rounding must not.
     std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
     const double distance =
         distance_of_plane(wrenches[facet[0]], wrenches[facet[1]], wrenches[facet[2]]);
@@ -243,9 +243,9 @@ WeakestDirection weakest_of_few(const std::vector<Wrench>& wrenches) {
     least = std::min(least, distance);
   }
   if (least > tau) return {least, direction_of(normal_of(wrenches, weakest))};
-  // The origin is in the planes of all facets of a flat hull, on their inner side only by rounding,
-  // even if it lies beside the hull. The distance of a facet's plane has an error of some 1e-16
-  // divided by twice the facet's area. For areas of 1e-9 or more, `beside` exceeds it.
+  // The planes of a flat hull's facets may all pass through an origin beside the hull; then only
+  // rounding puts it on their inner side. The distance of a facet's plane has an error of some
+  // 1e-16 divided by twice the facet's area. For areas of 1e-9 or more, `beside` exceeds it.
   constexpr double beside = 1e-7;
   NearestPoint search(wrenches);
   const Wrench& nearest = search.find();
@@ -268,9 +268,9 @@ Wrench normal_through_origin(const std::vector<Wrench>& wrenches) {
   return direction_of(best);
 }
 
-// Few of many wrenches bound the ball. Begins with those that reach farthest along the axes. Adds
-// the one that reaches farthest in the weakest direction of the active ones, until none reaches
-// farther: then that direction is the weakest of all.
+// Begins with the wrenches that reach farthest along the axes. Adds the one that reaches farthest
+// in the weakest direction of the active ones, until none reaches farther: then that direction is
+// the weakest of all.
 class FewOfMany {
  public:
   explicit FewOfMany(const std::vector<Wrench>& all) : all_(all) {
@@ -300,7 +300,7 @@ class FewOfMany {
     return all_[farthest_along(all_, direction)].dot(direction);
   }
 
-  // Returns whether the wrench that reaches farthest was not yet active.
+  // Activates the wrench that reaches farthest. False if it already was active.
   bool activate(const Wrench& direction) {
     const Index added = farthest_along(all_, direction);
     const auto at = std::lower_bound(active_.begin(), active_.end(), added);

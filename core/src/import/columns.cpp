@@ -1,4 +1,3 @@
-// Columns of numbers in a table (cells.h).
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -20,9 +19,9 @@
 namespace evenlift {
 namespace {
 
-// Lines before the first row. A table that begins later is none.
+// A text with this many lines before the first row is not a table.
 constexpr std::size_t most_heading_lines = 100;
-constexpr std::size_t most_comment_lines = 1000;  // of those that may name the columns
+constexpr std::size_t most_comment_lines = 1000;  // later ones name no columns
 
 // As in "X coord    Y coord".
 Fields split_at_wide_spaces(std::string_view line) {
@@ -96,7 +95,7 @@ class ColumnReader {
   std::size_t heading_lines_ = 0, comment_lines_ = 0;  // among `headings_`
   std::optional<NamedColumns> named_;
   std::size_t x_ = 0, y_ = 0;
-  bool chosen_ = false;  // x and y
+  bool chosen_ = false;  // x_ and y_ are set
   // Of the first row, if headings name nothing:
   std::size_t first_row_size_ = 0;
   std::vector<std::size_t> number_columns_;
@@ -105,7 +104,7 @@ class ColumnReader {
   std::vector<std::size_t> shapes_;      // the columns that number or name the shapes
   std::vector<std::string_view> shape_;  // their cells in the last row
   std::size_t rows_ = 0;
-  std::optional<Line> count_line_;  // how many rows follow
+  std::optional<Line> count_line_;  // states the number of rows
   LengthUnit unit_ = LengthUnit::none;
   RingNotes notes_;
   Block block_;
@@ -147,8 +146,8 @@ bool ColumnReader::is_count(const Line& line, const Fields& cells, const Lines& 
   return number_columns(split_cells(next->text, style_.separator), style_).size() > 1;
 }
 
-// Whether the line has two numbers and is no heading: the line after a heading has numbers in other
-// columns.
+// Whether the line is a row. The line after a heading has numbers in other columns. Keeps a count
+// of rows in `count_line_`.
 bool ColumnReader::is_row(const Line& line, const Fields& cells, const Lines& following) {
   if (is_count(line, cells, following)) {
     count_line_ = line;
@@ -158,7 +157,8 @@ bool ColumnReader::is_row(const Line& line, const Fields& cells, const Lines& fo
   const std::optional<Line> next = ahead.next();
   const auto below = next ? number_columns(split_cells(next->text, style_.separator), style_)
                           : std::vector<std::size_t>();
-  // Digits alone are a wrong row, unless they are one word before the rows, such as a date.
+  // Digits alone are a row, right or wrong, unless they are one word before the rows, such as a
+  // date.
   if (has_only_digits(cells)) return rows_ > 0 || cells.size() > 1 || below.size() < 2;
   const auto numbers = number_columns(cells, style_);
   if (numbers.size() < 2) return false;
@@ -243,7 +243,7 @@ void ColumnReader::take_words(const std::vector<Line>& words) {
                                : say("the first {count} lines were taken as headings", {skipped}));
 }
 
-// For spreadsheet programs, such as "sep=;".
+// A line such as "sep=;", for spreadsheet programs.
 bool names_separator(std::string_view line) { return same_word(line.substr(0, 4), "sep="); }
 
 std::optional<InputError> ColumnReader::begin_rows(const Line& row, const Fields& cells) {
@@ -267,7 +267,7 @@ std::optional<InputError> ColumnReader::begin_rows(const Line& row, const Fields
   return chosen_ ? std::nullopt : choose(row, cells, headings);
 }
 
-// Chooses columns that no heading names.
+// Chooses x and y if no heading names them.
 std::optional<InputError> ColumnReader::choose(const Line& row, const Fields& cells,
                                                const Fields& headings) {
   // "1,5 2,3" may mean 1.5 and 2.3, or three numbers.
@@ -294,7 +294,8 @@ std::optional<InputError> ColumnReader::choose(const Line& row, const Fields& ce
 
 // --- Rows
 
-// Rows whose first two begin with the same word go on so: meshes mark vertices and faces by words.
+// If the first two rows begin with the same word, all must: meshes mark vertices and faces by
+// words.
 std::optional<InputError> ColumnReader::check_word(const Fields& cells) {
   if (cells.empty() || cells[0].empty() || x_ == 0 || y_ == 0 || !shapes_.empty())
     return std::nullopt;
@@ -377,7 +378,7 @@ void ColumnReader::clear_headings() {
   heading_lines_ = comment_lines_ = 0;
 }
 
-// Keeps a line before the first row of a block. Returns false where no table may begin any more.
+// Keeps a line before the first row of a block. Returns false if a table can no longer begin.
 bool ColumnReader::take_heading(const Line& line) {
   const bool comment = line.text.front() == '#';
   if (comment && comment_lines_ == most_comment_lines) return true;
@@ -439,8 +440,8 @@ bool runs_along_chord(const Points& points, bool forwards) {
                         [&](const Vec2& a, const Vec2& b) { return !along(b, a); });
 }
 
-// Airfoils in two blocks, the upper and the lower surface. In Lednicer's format a row with their
-// numbers of points precedes them, and both begin at the leading edge.
+// Joins the two blocks of an airfoil, the upper and the lower surface. In Lednicer's format a row
+// with their numbers of points precedes them, and both begin at the leading edge.
 void ColumnReader::join_surfaces() {
   const bool counted = blocks_.size() == 3 && blocks_[0].points.size() == 1 &&
                        blocks_[0].points[0] == Vec2(static_cast<double>(blocks_[1].points.size()),

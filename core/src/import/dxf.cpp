@@ -1,4 +1,4 @@
-// Inserts the blocks of a DXF drawing, which the folder dxf reads, leaves out what is not seen, and
+// Reads DXF drawings by means of the folder dxf: inserts blocks, leaves out unseen objects, and
 // joins lines and arcs.
 #include <algorithm>
 #include <cmath>
@@ -18,8 +18,8 @@ namespace evenlift {
 namespace {
 
 constexpr std::size_t max_depth = 32;  // of nested blocks
-// The text of all copies of blocks, where a copy counts at least copy_bytes. Nested blocks may have
-// any number of copies.
+// The greatest number of bytes in all copies of blocks, plus copy_bytes for each copy: nested
+// blocks multiply copies.
 constexpr std::size_t max_inserted_bytes = std::size_t{128} << 20, copy_bytes = 64;
 
 struct Other {
@@ -62,7 +62,7 @@ constexpr DxfName undefined_block{"block (INSERT) that the drawing does not defi
 constexpr DxfName other_file{"block (INSERT) from another file",
                              "blocks (INSERT) from other files"};
 
-// A number that overflows is beyond max_coordinate.
+// Coordinates that overflowed, to infinity or NaN, are out of bounds.
 bool within_bounds(const Outline& outline) {
   const auto small = [](const Vec2& p) {
     return std::abs(p.x()) <= max_coordinate && std::abs(p.y()) <= max_coordinate;
@@ -84,7 +84,7 @@ class DxfReader {
   // Where a block's objects, or the drawing's own, lie in the drawing.
   struct Frame {
     Affine map;
-    std::string_view layer = "0";     // of objects on layer 0
+    std::string_view layer = "0";     // replaces layer 0
     const DxfBlock* block = nullptr;  // nullptr for the drawing
     const Frame* outer = nullptr;     // contains the INSERT
     std::size_t depth = 0;

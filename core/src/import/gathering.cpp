@@ -93,7 +93,7 @@ void LeftOut::add(std::string_view one, std::string_view many) {
     ++kind.count;
     return;
   }
-  // A text may contain any number of names; the last entry counts all that follow.
+  // A text may contain any number of names.
   constexpr std::size_t most_names = 19;
   if (counts_.size() < most_names)
     counts_.push_back({std::string(one), std::string(many), 1});
@@ -136,7 +136,7 @@ struct Gathering::Flattened {
   std::size_t part;
 };
 
-// Nothing if it is no polygon or has no room.
+// nullopt if it is not a polygon or there is no room for it.
 std::optional<ImportedShape> Gathering::flattened(const Outline& outline) {
   if (full_) return std::nullopt;
   const Box box = control_box(outline);

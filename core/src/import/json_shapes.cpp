@@ -92,8 +92,8 @@ class JsonShapes {
 
 // --- evenlift's own results
 
-// An integer with all its digits, of which a seed may have more than a double holds. The value of
-// another notation, such as 1e3.
+// Returns the integer's own digits, since a seed may have more than a double holds. For another
+// notation, such as 1e3, returns the text of `value`.
 std::string whole_text(std::string_view text, std::size_t last, double value) {
   std::size_t first = last + 1;
   while (first > 0 && text[first - 1] >= '0' && text[first - 1] <= '9') --first;
@@ -102,7 +102,7 @@ std::string whole_text(std::string_view text, std::size_t last, double value) {
   return read && *read == value ? digits : shortest(value);
 }
 
-// Whether true, not false, ends here.
+// Whether the boolean that ends here is true.
 bool is_true(std::string_view text, std::size_t last) {
   return last >= 3 && text.substr(last - 3, 4) == "true";
 }
@@ -133,15 +133,15 @@ std::string JsonShapes::value_text(const SettingRow& row, Index at) const {
              : shortest(tree_.number(at));
 }
 
-// Null means unset. Objects and arrays are results of the same name.
+// Null means unset. Objects and arrays with a setting's name are results.
 std::optional<InputError> JsonShapes::take_row(const SettingRow& row, Document& document) const {
   const auto at = tree_.member(0, row.json.empty() ? row.name : row.json);
   if (!at || is(at, Kind::null) || is(at, Kind::object) || is(at, Kind::array)) return std::nullopt;
   return take_setting(row.setting, *at, value_text(row, *at), document);
 }
 
-// A result's `teams` are a list. `requested_teams` is a plain number even for `max`, and 1 for
-// balanced robots and supports: then `teams_asked` holds the setting.
+// In a result, `teams` is a list. `requested_teams` is a number even for `max`, and 1 for balanced
+// robots and supports; then `teams_asked` holds the setting.
 std::optional<InputError> JsonShapes::take_teams(Document& document) const {
   const bool one_team = is_one_team(document.settings.method);
   for (const std::string_view name : {"teams", "requested_teams", "teams_asked"})
@@ -161,7 +161,6 @@ void forget_usual_goal(Settings& settings) {
   if (settings.goal == goal_of(usual)) settings.goal.reset();
 }
 
-// The object is a result, or the output of `link decode`.
 std::optional<InputError> JsonShapes::take_settings(Document& document) {
   for (const SettingRow& row : all_settings()) {
     if (row.changes == Changes::view || row.setting == Setting::teams) continue;
@@ -178,7 +177,7 @@ std::optional<InputError> JsonShapes::take_settings(Document& document) {
   return take_uncertainty(document);
 }
 
-// This comes after the settings, which put robots back.
+// Comes after the other settings, since they put moved robots back.
 std::optional<InputError> JsonShapes::take_moved(Document& document) const {
   const auto at = tree_.member(0, "moved");
   if (!is(at, Kind::string)) return std::nullopt;
@@ -238,14 +237,15 @@ std::optional<InputError> JsonShapes::take_uncertainty(Document& document) const
   return std::nullopt;
 }
 
-// A result always names its centre of mass, which is unset if it equals the centroid bit for bit.
+// A result always names its centre of mass. One that equals the centroid bit for bit counts as
+// unset.
 void forget_centroid(Document& document) {
   const Result<PolygonWithHoles> object = object_of(document);
   if (object && document.centre_of_mass && object->centroid() == *document.centre_of_mass)
     document.centre_of_mass.reset();
 }
 
-// With cargo, a result also contains C of both.
+// With cargo, `centre_of_mass` is that of object and cargo together.
 std::optional<InputError> JsonShapes::take_centre_of_mass(Document& document) {
   auto centre = tree_.member(0, "own_centre_of_mass");
   if (!centre) centre = tree_.member(0, "centre_of_mass");
@@ -278,7 +278,7 @@ std::optional<InputError> JsonShapes::take_holes(Document& document) {
   return std::nullopt;
 }
 
-// The name in {"at": [x, y], "weight": w, "name": "..."} may be missing.
+// The name may be missing.
 Result<Cargo> JsonShapes::cargo_item(Index item) {
   const bool is_object = tree_.kind(item) == Kind::object;
   const auto at = is_object ? tree_.member(item, "at") : std::nullopt;
@@ -388,7 +388,7 @@ Result<Points> JsonShapes::points(Index array) {
   return ring;
 }
 
-// An array of points is a shape. Other arrays may contain some.
+// An array of points is a shape. Other arrays may contain shapes.
 void JsonShapes::arrays(Index array, std::string_view name) {
   if (gathering_.full()) return;
   const Index first = tree_.first(array);
@@ -544,7 +544,7 @@ bool JsonShapes::is_esri_geometry(Index object) const {
          tree_.member(object, "paths");
 }
 
-// Esri's holes run the other way round than their outline; islands in a hole do not.
+// Esri's holes run in the opposite direction to their outline, islands in holes in the same one.
 void JsonShapes::esri_rings(Index rings, std::string_view name) {
   if (tree_.kind(rings) != Kind::array)
     return gathering_.add_problem(
@@ -594,7 +594,7 @@ void JsonShapes::esri(Index object) {
   gathering_.left_out.add("feature without a polygon", "features without a polygon");
 }
 
-// Returns whether the JSON is Esri's: a geometry, a feature or a set of features.
+// Returns whether the JSON is Esri's.
 bool JsonShapes::read_esri() {
   const auto features = tree_.member(0, "features");
   const bool is_set =
@@ -645,7 +645,7 @@ Result<Import> JsonShapes::read_array() {
   return gathering_.finish({ErrorCode::bad_syntax, "this JSON has no list of points [x, y]", {}});
 }
 
-// Reads members that are lists of points, such as {"points": [[0, 0], ...]}.
+// Reads members such as {"points": [[0, 0], ...]}, and lists of such lists.
 void JsonShapes::read_members() {
   gathering_.import.format = "points in JSON";
   for (Index i = tree_.first(0); i != tree_.end(0); i = tree_.next(i)) {

@@ -167,7 +167,7 @@ bool is_move(std::string_view line) {
   return sees_address(line, 0, "GN") && has_address(line, "G") && has_address(line, "XYIJ");
 }
 
-// The thesis's text also begins with a parenthesis, but has no words.
+// The thesis's format also begins with a parenthesis, but has no words.
 bool is_g_code_comment(std::string_view line) {
   if (line[0] == ';' || line[0] == '%') return true;
   if (line[0] != '(') return false;

@@ -13,7 +13,7 @@ namespace {
 // Nearer to the equator widths are right within 0.5 %.
 constexpr double low_latitude = 5;
 
-// Numbers beyond these are no degrees, whatever the text says.
+// Numbers beyond these are not degrees, whatever the text says.
 bool can_be_degrees(const Box& box) {
   return box.low.x() >= -360 && box.high.x() <= 360 && box.low.y() >= -90 && box.high.y() <= 90;
 }

@@ -23,7 +23,7 @@ std::optional<LengthUnit> unit_named(std::string_view word) {
   return std::nullopt;
 }
 
-// Supports within the bounds of all formats.
+// Gathers supports within common limits.
 class Gathered {
  public:
   explicit Gathered(std::string_view text) : text_(text) {}
@@ -205,7 +205,7 @@ Result<SupportFile> read_table(std::string_view text) {
         columns.capacity && *columns.capacity < cells.size() && !cells[*columns.capacity].empty();
     if (has_cell && !capacity) return gathered.error(offset, "the capacity is not a number");
     if (columns.unit && *columns.unit < cells.size()) {
-      // A column of evenlift's own poses; in another table, its words may mean something else.
+      // evenlift's own poses have this column; in other tables it may mean something else.
       const LengthUnit own = unit_named(cells[*columns.unit]).value_or(LengthUnit::none);
       if (own != LengthUnit::none && unit != LengthUnit::none && own != unit)
         return gathered.error(offset, "the robots are in different units");

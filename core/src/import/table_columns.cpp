@@ -13,11 +13,11 @@
 namespace evenlift {
 namespace {
 
-constexpr std::size_t first_lines = 200;  // among which the first row is
+constexpr std::size_t first_lines = 200;  // the first row is among them
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// No heading begins with a number, perhaps in quotes.
+// Headings never begin with a number, even in quotes.
 bool has_number_first(std::string_view line) {
   line.remove_prefix(std::min(line.find_first_not_of(" \t\"+-.,;|"), line.size()));
   return !line.empty() && is_digit(line[0]);
@@ -28,7 +28,7 @@ CellStyle style_of_line(std::string_view line) {
   return {separator, separator != ',' && separator != ' '};
 }
 
-// The cells of a column so far.
+// Properties of a column's cells so far.
 class Course {
  public:
   void add(std::string_view cell, double value, bool after_blank) {
@@ -46,7 +46,7 @@ class Course {
   }
 
   bool stays_the_same() const { return same_ && count_ >= 3; }
-  // 1, 2, 3 ...; from another number on only if it is no chance.
+  // 1, 2, 3 ...; from another number on, three may be chance.
   bool counts() const { return counts_ && whole_ && count_ >= (first_ == 1 ? 3u : 4u); }
   // The numbers of the points that remain after others were deleted.
   bool rises_in_whole_numbers() const { return rises_ && whole_ && count_ >= 3; }
@@ -61,7 +61,7 @@ class Course {
 struct Candidate {
   std::size_t column = 0;
   Course course;
-  const char* reason = nullptr;  // a clause with a place for its label: why it is no coordinate
+  const char* reason = nullptr;  // why it is not a coordinate: a clause with a place for its label
 };
 
 using Candidates = std::vector<Candidate>;
@@ -106,7 +106,7 @@ void drop_by_headings(Candidates& all, const Fields& headings) {
   drop(all, "{column} has the heights", means(Column::height));
 }
 
-// The first column has rising whole numbers, the others decimals.
+// Drops a first column of rising whole numbers if the others have decimals.
 void drop_gapped_numbers(Candidates& all) {
   const auto left = left_of(all);
   const bool others_have_decimals = std::all_of(
@@ -157,15 +157,15 @@ bool has_only_digits(const Fields& cells) {
 
 namespace {
 
-// Where commas part cells, a comma in a cell is in quotes and could part thousands. It precedes
-// decimals unless three digits follow.
+// Where commas separate cells, a comma in a cell is in quotes, and may separate thousands if three
+// digits follow. Otherwise it precedes decimals.
 bool has_decimal_comma(std::string_view cell) {
   const std::size_t comma = cell.find(',');
   return comma != std::string_view::npos && cell.size() - comma - 1 != 3 &&
          cell_number(cell, true).has_value();
 }
 
-// Whether commas part the cells and also precede quoted decimals: "1,5","2,25".
+// Such as "1,5","2,25".
 bool has_quoted_decimals(std::string_view text) {
   Lines lines(text);
   auto line = lines.next();

@@ -16,14 +16,14 @@ bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 // Includes letters beyond ASCII and the degree sign of "n°".
 bool is_part_of_word(char c) { return is_letter(c) || static_cast<unsigned char>(c) >= 0x80; }
 
-// Whether a word without a separator before it begins at `i`: "PosX", "XCoord".
+// Whether a word begins at `i` without a separator: "PosX", "XCoord".
 bool begins_inside(std::string_view text, std::size_t i) {
   if (i == 0 || !is_upper(text[i]) || !is_letter(text[i - 1])) return false;
   return !is_upper(text[i - 1]) ||
          (i + 1 < text.size() && is_letter(text[i + 1]) && !is_upper(text[i + 1]));
 }
 
-// Also knows the capitals of Latin-1 in UTF-8.
+// Also lowers the capitals of Latin-1 in UTF-8.
 void append_lower(std::string& word, char c) {
   const auto byte = static_cast<unsigned char>(c);
   const bool accented = !word.empty() && static_cast<unsigned char>(word.back()) == 0xc3 &&
@@ -229,7 +229,7 @@ Column meaning_of(std::string_view word) {
   return Column::other;
 }
 
-// "xcoord", "posx", "xmm": an axis with such a word.
+// "xcoord", "posx", "xmm": an axis with a word of `beside` or `unit_words`.
 Column meaning_of_compound(std::string_view word) {
   if (word.size() < 3) return Column::other;
   const auto is_beside = [](std::string_view rest) {
@@ -243,7 +243,7 @@ Column meaning_of_compound(std::string_view word) {
   return Column::other;
 }
 
-// A heading without such words.
+// A heading's meaning.
 struct Reading {
   Column column = Column::other;
   int rank = 0;  // 0 for the plainest name

@@ -13,7 +13,7 @@ namespace evenlift {
 namespace {
 
 constexpr int deepest_collection = 32;
-constexpr std::size_t first_lines_of_table = 100;  // of a table; one has a geometry
+constexpr std::size_t first_lines_of_table = 100;  // one of them has a geometry
 
 constexpr std::string_view read_names[] = {"polygon", "multipolygon", "geometrycollection"};
 
@@ -231,7 +231,8 @@ std::string WktTable::name_in(std::string_view line, const GeometryCell& cell) c
   return *name_ < cells.size() ? std::string(cells[*name_]) : std::string();
 }
 
-// Reads the geometry alone, so that it ends with its cell, but errors have their place in the text.
+// Reads the geometry alone, so that it ends with its cell. Errors get their place in the whole
+// text.
 void WktTable::take_row(std::string_view line, const GeometryCell& cell) {
   const auto offset = static_cast<std::size_t>(line.data() - text_.data()) + cell.from;
   const std::string_view geometry = line.substr(cell.from, cell.to - cell.from);
@@ -291,7 +292,6 @@ bool has_wkt_cells(std::string_view text) {
       names_coordinates = names_coordinates || named_columns(cells).has_value();
       continue;
     }
-    // The columns x and y beside points repeat them.
     const bool of_points = same_word(line->text.substr(cell->from, 5), "point");
     return !of_points || !names_coordinates;
   }

@@ -36,7 +36,7 @@ std::optional<Movable> movable_from_name(std::string_view text) {
   return std::nullopt;
 }
 
-// "title, polygon and teams": words that are the same in all languages.
+// "title, polygon and teams". The words are the same in all languages.
 std::string listed(const std::vector<std::string>& words) {
   std::string ends[] = {words.front(), words.back()};
   for (std::size_t i = 1; i + 1 < words.size(); ++i) ends[0] += ", " + words[i];
@@ -58,7 +58,7 @@ class Reader {
   Result<Lesson> read() {
     if (text_.size() > max_lesson_bytes)
       return InputError{ErrorCode::text_too_long, "a lesson has at most 65536 bytes", {}};
-    if (text_.substr(0, 3) == "\xef\xbb\xbf") text_.remove_prefix(3);  // the mark of some editors
+    if (text_.substr(0, 3) == "\xef\xbb\xbf") text_.remove_prefix(3);  // the byte-order mark
     while (!text_.empty() && !error_) {
       const std::size_t end = text_.find('\n');
       const std::string_view whole_line = text_.substr(0, end);
@@ -136,7 +136,7 @@ class Reader {
     if (*robot > 0) lesson_.failed = static_cast<std::size_t>(*robot - 1);
   }
 
-  // "star n=9 seed={number}", in which the numbers may be missing.
+  // "star n=9 seed={number}"; `n` and `seed` may be missing.
   void take_generate(std::string_view value) {
     const std::optional<Family> family = family_from_name(next_word(value));
     bool sound = family.has_value();
@@ -196,7 +196,7 @@ class Reader {
     task_.find_centre = true;
   }
 
-  // Here a setting of the algorithm is only checked.
+  // Checks the setting and stores its text for lesson_document().
   void take_setting(std::string_view value, Setting setting) {
     Document tried;
     if (read_setting(setting, value, tried)) return refuse(requirement(setting));
@@ -233,7 +233,6 @@ class Reader {
     return setting && is_key(row_of(*setting)) ? setting : std::nullopt;
   }
 
-  // Such as "title, polygon, teams and overlays".
   static std::string names_of_keys() {
     std::vector<std::string> names;
     for (const Key& own : keys) names.emplace_back(own.name);
@@ -242,7 +241,7 @@ class Reader {
     return listed(names);
   }
 
-  // Where the next words go; messages if they are too long or missing.
+  // Where the next words go.
   struct Part {
     std::string* words = nullptr;  // of lesson_; null before the first part
     std::size_t most = 0;          // bytes
@@ -304,7 +303,6 @@ class Reader {
              "the answer has no text", line_};
   }
 
-  // A word and up to two numbers, from 1; nullopt for anything else.
   static std::optional<StepAddress> read_address(std::string_view text) {
     std::array<std::uint32_t, 2> numbers{};
     std::size_t count = 0;

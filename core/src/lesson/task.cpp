@@ -18,8 +18,8 @@ InputError task_error(std::string message) {
   return {ErrorCode::bad_setting, std::move(message), {}};
 }
 
-// Drawn by the number among the robots: each carries at least a tenth of an equal share of the
-// weight.
+// A random weighted mean of the supports, each with at least a tenth of an equal share. `number` is
+// the seed.
 Vec2 drawn_centre(const Points& supports, std::uint64_t number) {
   Rng rng(number);
   Vec2 sum = Vec2::Zero();
@@ -32,7 +32,6 @@ Vec2 drawn_centre(const Points& supports, std::uint64_t number) {
   return sum / total;
 }
 
-// First reads what each robot carries.
 std::optional<InputError> hide_centre(Exercise& exercise, std::uint64_t number) {
   Document& document = exercise.start;
   if (document.settings.method != Method::given || document.settings.supports.size() < 3)
@@ -66,7 +65,7 @@ std::optional<InputError> put_robots(Exercise& exercise, std::size_t robots) {
   return std::nullopt;
 }
 
-// Outline, holes, method and robots moved by hand are no single settings.
+// changed_against() itself compares outline, holes, method and moved robots.
 struct Part {
   Movable part;
   std::initializer_list<Setting> settings;

@@ -19,8 +19,7 @@ int common_zero_bits(const Points& vertices) {
   return zeros;
 }
 
-// At most two scales that promise the shortest link. The estimate uses only integers, so every
-// platform chooses the same.
+// At most two scales that promise the shortest link.
 std::vector<Scale> likely_scales(const Points& vertices) {
   std::array<std::size_t, Scale::doubles + 1> with_decimals{};
   double greatest = 1;
@@ -43,7 +42,7 @@ std::vector<Scale> likely_scales(const Points& vertices) {
     if (with_decimals[static_cast<std::size_t>(k)] == 0) continue;
     on_scale += with_decimals[static_cast<std::size_t>(k)];
     const auto bits_each =
-        static_cast<std::size_t>(integer_bits + (k * 10 + 2) / 3);  // 2^10 = 10^3
+        static_cast<std::size_t>(integer_bits + (k * 10 + 2) / 3);  // 2^10 is about 10^3
     const std::size_t bits = on_scale * bits_each + (all - on_scale) * 68;
     if (bits < bits_of_decimals) {
       bits_of_decimals = bits;

@@ -14,14 +14,14 @@ namespace {
 constexpr std::string_view head = "L1.";
 constexpr int length_bits = 17;  // of max_lesson_bytes
 
-// Predicts a text bit by bit from what followed its last three bytes before, or if that is new, its
-// last byte. It never goes through the models, so their order does not matter.
+// Predicts a text bit by bit from what earlier followed the same last three bytes or, if these are
+// new, the same last byte. Nothing iterates over the models, so their order does not matter.
 class TextPredictor {
  public:
   // O(1) on average.
   template <class Coder>
   std::uint8_t code_byte(Coder& coder, std::uint8_t byte) {
-    std::uint32_t node = 1;  // the bits so far, below a leading one
+    std::uint32_t node = 1;  // the bits so far, after a leading 1
     for (int bit = 7; bit >= 0; --bit) {
       BitModel& near = model(last_three_ & 0xff, node, 1);
       BitModel& far = model(last_three_, node, 3);
@@ -38,7 +38,7 @@ class TextPredictor {
  private:
   static bool is_new(const BitModel& model) { return model.count[0] + model.count[1] == 2; }
 
-  // A decision counts eight, since texts repeat themselves.
+  // A decision counts as eight, since texts repeat themselves.
   static void learn(BitModel& model, bool value) {
     auto& count = model.count[value ? 1 : 0];
     count = static_cast<std::uint16_t>(count + 8);
@@ -67,7 +67,6 @@ TextPredictor primed() {
   return predictor;
 }
 
-// A lesson's link is at the beginning of the text, or after '#' or '&'.
 std::size_t find_lesson_link(std::string_view text) {
   bool at_start = true;
   for (std::size_t at = 0; at < text.size(); ++at) {
@@ -115,7 +114,7 @@ Result<std::string> decode_lesson_link(std::string_view text) {
   TextPredictor predictor = primed();
   while (lesson.size() < length && length <= max_lesson_bytes && !decoder.failed())
     lesson += static_cast<char>(predictor.code_byte(decoder, 0));
-  // Only one link per lesson, so that no other can hide data.
+  // Each lesson has only one link, so that no other can hide data.
   const Result<std::string> link = encode_lesson_link(lesson);
   if (decoder.failed() || lesson.size() != length || *link != text.substr(begin, end - begin))
     return link_error(ErrorCode::bad_link, "the link contains data that evenlift never writes");

@@ -79,7 +79,7 @@ std::optional<InputError> check_linkable(const Document& document) {
 
 // --- A link within a text
 
-// An address may come before a link, and white space around it.
+// An address may precede a link, and white space may surround both.
 struct Span {
   std::size_t
       address;  // the first character of the address, which ends with the '#' before `begin`

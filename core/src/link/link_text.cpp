@@ -27,7 +27,6 @@ std::uint32_t checksum(std::string_view text) {
   return crc;
 }
 
-// In characters of the alphabet.
 std::string checksum_text(std::string_view text) {
   std::uint32_t rest = checksum(text);
   std::string digits(checksum_digits, ' ');

@@ -78,8 +78,7 @@ struct Content {
   CodedLists lists;  // of records
 };
 
-// An encoder writes the content in this encoding of the vertices. A decoder reads it and returns
-// the encoding.
+// `encoding` is that of the vertices. A decoder returns the one that it reads.
 template <class Coder>
 Encoding code_content(Coder& coder, Content& content, Encoding encoding) {
   constexpr int widest_count = 16;
@@ -188,7 +187,7 @@ CodedLists shortest_lists(const Encoding& encoding, Content& content, const Docu
 Digits encode_payload(const Document& document) {
   Digits best;
   bool first = true;
-  std::optional<CodedLists> lists;  // found with the first vertices
+  std::optional<CodedLists> lists;  // found with the first candidate
   for (QuantizedPolygon& candidate : likely_encodings(document.vertices)) {
     Content content{settings_of_link_1(document), std::move(candidate.quantized),
                     document.centre_of_mass,      version_for(document),
@@ -213,8 +212,7 @@ Payload decode_payload(LinkVersion version, std::span<const std::uint8_t> digits
 
   Document document = document_of(content);
   if (!is_finite(document) || !take_records(content.records, document)) return NoPayload{};
-  // In each encoding a document has exactly one link. So no two mean the same, and none can hide
-  // data.
+  // A document has exactly one link in each encoding, so no link can hide data.
   content.quantized = quantize(encoding.scale, document.vertices);
   content.records = records_of(document);
   for (const auto& [points, values] :

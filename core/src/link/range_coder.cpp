@@ -10,7 +10,6 @@ constexpr std::uint32_t whole = std::uint32_t{1} << 30;         // five digits
 constexpr std::uint32_t narrow_limit = std::uint32_t{1} << 24;  // at or below it, emit a digit
 constexpr std::uint32_t top_unit = std::uint32_t{1} << 24;      // one unit of the first digit
 
-// The part that means false.
 std::uint32_t false_part(std::uint32_t range, const BitModel& model) {
   return range / (std::uint32_t{model.count[0]} + model.count[1]) * model.count[0];
 }

@@ -11,11 +11,11 @@
 namespace evenlift {
 namespace {
 
-// Each item has three numbers, and a name in quotes with characters of four bytes.
+// Each item has three numbers, and a name in quotes with characters of up to four bytes.
 constexpr std::size_t most_bytes_of_cargo = max_cargo * (3 * 26 + 4 * max_name_characters + 4);
 static_assert(most_bytes_of_cargo < 1u << widest_length);
 
-// Overlays added after version 1, with the payload of a shown one.
+// Overlays added after version 1, and the payload of one that is shown.
 struct OverlayRecord {
   Tag tag;
   bool Overlays::*overlay;
@@ -36,8 +36,8 @@ const SettingRow* row_of_record(Tag number) {
   return nullptr;
 }
 
-// The record of the number of robots means that they are balanced, that of supports that they are
-// given. The default goal of teams is `cover`.
+// A record of the number of robots means balanced robots, and one of supports given robots. The
+// default goal of teams is `cover`.
 bool is_needed(const SettingRow& row, const Document& document, const Document& defaults) {
   const Settings& settings = document.settings;
   if (!is_kept(row, settings)) return false;

@@ -37,8 +37,8 @@ std::string reason(std::string_view message) {
   const std::size_t start = message.find(" - ");
   if (start == std::string_view::npos) return "this is not valid JSON";
   message.remove_prefix(start + 3);
-  // "last read" quotes the text and may look like "expected": only the library's own words count as
-  // that part.
+  // The text quoted after "last read" may contain "; expected", so only the library's own words
+  // count.
   const std::size_t read = message.find("; last read: ");
   if (read == std::string_view::npos) return say("this is not valid JSON: {reason}", {message});
   constexpr std::string_view words[] = {"; expected ':'",

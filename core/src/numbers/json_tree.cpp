@@ -25,7 +25,7 @@ class TreeBuilder final : public JsonSink {
   }
 
   bool key(std::string_view name, std::size_t) override {
-    // Objects of long arrays mostly have the same few names.
+    // A name equal to the preceding one is stored once.
     if (tree_.strings_[last_name_] != name) last_name_ = keep(name);
     name_ = last_name_;
     return true;

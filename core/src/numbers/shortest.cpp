@@ -1,6 +1,5 @@
 // Shortest decimal numbers by Schubfach (R. Giulietti, The Schubfach way to render doubles, 2020).
-// std::to_chars gives the same results and can replace this once all supported Emscripten versions
-// have it.
+// std::to_chars gives the same results and can replace this once every supported Emscripten has it.
 #include <cassert>
 #include <cmath>
 
@@ -32,16 +31,16 @@ constexpr int floor_log10_three_quarters_pow2(int e) { return (e * 1262611 - 524
 constexpr int floor_log2_pow10(int e) { return (e * 1741647) >> 19; }
 
 // 10^e for e from -292 to 324, as 128-bit numbers g with 2^127 <= g < 2^128, rounded up: g =
-// ceil(10^e / 2^(floor_log2_pow10(e) - 127)). They are computed at first use: constants would add
-// 10 KB to the page that do not compress.
+// ceil(10^e / 2^(floor_log2_pow10(e) - 127)). Computed at first use: constants would add 10 KB to
+// the page, even compressed.
 class PowersOfTen {
  public:
   static constexpr int least = -292;
   static constexpr int greatest = 324;
 
   PowersOfTen() {
-    // 10^e and 5^e differ by a power of two. Upwards products are exact. Downwards each quotient is
-    // floor(2^1023 / 5^n): dividing a rounded-down quotient again loses nothing.
+    // 10^e and 5^e differ by a power of two. For e >= 0, products are exact; below, quotients are
+    // floor(2^1023 / 5^-e): dividing one again loses nothing.
     Limbs power{};
     power.limb[0] = 1;
     for (int e = 0; e <= greatest; ++e, power.multiply_by_5()) store(e, power, false);
@@ -100,7 +99,8 @@ const Uint128& power_of_ten(int e) {
   return powers[e];
 }
 
-// floor(g * x / 2^128), with the lowest bit set if a nonzero bit was cut off: "round to odd".
+// floor(g * x / 2^128), with the lowest bit set if at least 2^-63 was cut off: "round to odd". Less
+// may come from rounding g.
 std::uint64_t product_rounded_to_odd(const Uint128& g, std::uint64_t x) {
   const Uint128 low = multiply(g.low, x);
   Uint128 high = multiply(g.high, x);
@@ -170,8 +170,8 @@ Decimal shortest_decimal(double value) {
   return {found.digits, found.exponent, negative};
 }
 
-// The rules of ECMAScript's Number::toString, as in the page's scripts. Only -0 becomes "-0.0": a
-// JSON reader would read "-0" as an integer and lose the sign.
+// As Number::toString in the page's scripts, except that -0 becomes "-0.0": a JSON reader would
+// read "-0" as an integer and lose the sign.
 void append_shortest(std::string& text, double value) {
   const Decimal decimal = shortest_decimal(value);
   if (decimal.digits == 0) {

@@ -34,7 +34,7 @@ double coverage_of(const PolygonWithHoles& object, const std::vector<Candidate>&
   return coverage(object, lifting_base(object, robots_of(candidates, taken)));
 }
 
-// The chords of the ends, then others up to `teams`, first from the start.
+// The chords of the ring's ends, then others up to `teams`, those of `start` first.
 std::vector<std::uint32_t> chords_of(const Triangles& triangles, const Ring& ring,
                                      const std::vector<std::uint32_t>& start, std::size_t teams) {
   std::vector<std::uint32_t> chords;
@@ -116,7 +116,7 @@ class Widest {
   Optimum best_;
 };
 
-// The subsets of `size` of the numbers below `all`, in lexicographic order.
+// All sets of `size` numbers below `all`, in lexicographic order.
 template <class Visit>
 void for_each_subset(std::uint32_t all, std::size_t size, Visit visit) {
   std::vector<std::uint32_t> subset(size);
@@ -158,7 +158,7 @@ class SearchToHold {
   }
 
   void compare_all(std::size_t teams, ChoiceToHold& best) {
-    // A part lacks the last team.
+    // A part: all teams but the last.
     std::vector<swaps::Part> parts;
     std::vector<std::vector<std::uint32_t>> of_part;
     for_each_subset(choices_.size(), teams - 1, [&](const std::vector<std::uint32_t>& subset) {
@@ -184,7 +184,7 @@ class SearchToHold {
     best.proved = best.compared = true;
   }
 
-  // Swaps from the best choice so far, and from the widest one.
+  // Swaps from the best choice so far and the widest one.
   void swap(const Optimum& widest, ChoiceToHold& best) const {
     std::vector<std::vector<std::uint32_t>> starts{best.taken};
     if (widest.taken.size() == best.taken.size()) starts.push_back(widest.taken);

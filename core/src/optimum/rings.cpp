@@ -12,8 +12,8 @@ constexpr double impossible = -1;
 
 bool is_over(const Stop& stop) { return stop && stop(); }
 
-// The greatest sums of triangles along consecutive ends from a first one, by the number of further
-// ends and the place of the last; and the place before it.
+// For each number of ends after a first one and each place of the last: the greatest sum of the
+// triangles between them, and the place before the last.
 class Chain {
  public:
   // Places up to `length` and up to `most` further ends. O(length^2 most).
@@ -60,7 +60,7 @@ class Chain {
   std::vector<std::uint32_t> before_;
 };
 
-// The best end of a chain, closed by a triangle to the place `length`.
+// The best chain that a triangle to the place `length` closes.
 struct Closed {
   double sum = impossible;
   std::uint32_t number = 0, place = 0;
@@ -117,7 +117,7 @@ class BothSides {
   std::size_t index(std::uint32_t right, std::uint32_t left, std::uint32_t used) const {
     return (std::size_t{right} * chords_ + left) * teams_ + (used - 1);
   }
-  // Between places about C, counted from the chord's right end.
+  // Places are counted about C from the chord's right end.
   double step(std::uint32_t from, std::uint32_t to) const {
     return triangles_.share((first_ + from) % triangles_.ends(), to - from);
   }

@@ -23,7 +23,7 @@ std::uint32_t least_teams(double weight, double capacity) {
   return number_of_teams(weight / (2 * capacity * (1 + tau)));
 }
 
-// The greater load of a team, as a share of both.
+// The greater load's share of a team's load.
 double greater_share(const Chord& chord) {
   return std::max(chord.arm1, chord.arm2) / (chord.arm1 + chord.arm2);
 }
@@ -121,7 +121,7 @@ CapacityPlan plan_at_equal_angles(const Placement& placement, double capacity) {
   const EqualAngles angles(placement.polygon(), placement.centre_of_mass);
   if (!angles.has_chords()) return {};
   const double weight = placement.weight();
-  // One sweep tries several numbers. Beginning with few, it tries few beyond the least.
+  // One sweep tries several numbers; beginning with few wastes little.
   std::uint32_t first = least_teams(weight, capacity), numbers = 8;
   for (;; numbers *= 2) {
     const std::uint32_t end = std::min(first + numbers, most_teams_for_capacity + 1);

@@ -34,7 +34,7 @@ Points part_above_0(const Points& ring, const Linear& function) {
   return clip_left_of_ray(ring, from, -left_normal(function.slope));
 }
 
-// The robot's load as a part of the weight at q, and what else it may carry.
+// The part of a weight at q that a robot carries, and its room.
 struct Bearing {
   Linear part;
   double least_room = 0;            // its load by springs minus its change by the disturbance
@@ -57,8 +57,8 @@ class Lift {
     for (const Vec2& point : points) all.push_back((point - of_.placement.centre_of_mass) / unit_);
     return all;
   }
-  // The corners in the object's coordinates, without those that only rounding makes; none without
-  // an area.
+  // The corners in the object's coordinates, without those that only rounding makes; none if their
+  // area is 0.
   Points corners(const Points& ring) const {
     Points all;
     for (const Vec2& point : ring) all.push_back(of_.placement.centre_of_mass + unit_ * point);
@@ -74,7 +74,7 @@ class Lift {
  private:
   double diameter() const { return of_.placement.polygon().diameter(); }
 
-  // Of all robots, as if all carried load.
+  // Of all loads, as if no robot were slack.
   std::vector<double> changes(const std::vector<Bearing>& bearings) const {
     const double weight = of_.placement.weight();
     SpringLoads springs{std::vector<double>(robots_.size(), weight), {}, infinity};

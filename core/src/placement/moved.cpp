@@ -83,7 +83,7 @@ std::optional<InputError> move_balanced(Placement& placement,
 
 // --- Teams of two
 
-// The end on edge `a` comes first, whichever is left.
+// A chord from edge `a` to `b`, whichever is left.
 struct Turned {
   std::uint32_t a = 0, b = 0;
   Chord chord;
@@ -115,7 +115,7 @@ std::optional<Turned> towards(const Placement& placement, std::uint32_t a, std::
   return nearest;
 }
 
-// The edges at a lifting point: two at a vertex.
+// One edge, or two at a vertex.
 struct EdgesAt {
   std::array<std::uint32_t, 2> edges{};
   std::size_t count = 1;
@@ -132,8 +132,8 @@ EdgesAt edges_at(const Polygon& polygon, std::uint32_t edge, const Vec2& at) {
   return found;
 }
 
-// The nearest chord to a direction, on the present edges and those that meet them where the chord
-// ends at a vertex.
+// The chord nearest to a direction, on the present edges or, from a vertex, their neighbours;
+// nullopt if none is nearer than `now`.
 std::optional<Turned> next_chord(const Placement& placement, const Turned& now,
                                  const Vec2& direction) {
   const Vec2& centre = placement.centre_of_mass;

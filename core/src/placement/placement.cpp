@@ -43,7 +43,6 @@ void take_loads(Placement& placement, const std::vector<double>& loads) {
   }
 }
 
-// The loads of all robots but one.
 LoadSummary summarize_others(const Placement& placement, std::size_t robot) {
   LoadSummary summary = *summarize_loads(placement.teams);
   const std::vector<double> loads = planned_loads(placement.teams);
@@ -55,7 +54,7 @@ LoadSummary summarize_others(const Placement& placement, std::size_t robot) {
   return summary;
 }
 
-// One team of all balanced robots.
+// One team of all robots, balanced or given.
 Team team_of(const Placement& placement, const std::vector<LiftingPoint>& robots) {
   return share_evenly(robots, placement.centre_of_mass, placement.weight());
 }

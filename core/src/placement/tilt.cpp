@@ -10,10 +10,10 @@
 namespace evenlift {
 namespace {
 
-// Far beyond any slope, but finite a hundred times over.
+// Far beyond any slope, and still finite in %.
 constexpr double most = 1e300;
 
-// The slope at which a point `room` away reaches the edge.
+// The slope at which C is above an edge `room` away.
 double slope_within(double room, double height) {
   return room > 0 ? std::min(room / height, most) : 0;
 }

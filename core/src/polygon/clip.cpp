@@ -47,7 +47,7 @@ class HalfPlaneClipper {
   double from_side_ = 0;
 };
 
-// The signed_area of points one by one.
+// Computes signed_area() from points one by one.
 class RunningArea {
  public:
   void add(const Vec2& v) {

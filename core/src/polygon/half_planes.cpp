@@ -34,7 +34,7 @@ struct ExactNormal {
 Dyadic exact_cross(const ExactNormal& a, const ExactNormal& b) { return a.x * b.y - a.y * b.x; }
 
 // A floating-point filter: the terms of the sum below have relative errors below 2^-44, so the sum
-// has the right sign above this fraction of the sum of absolute values.
+// has the right sign if above this fraction of the sum of absolute values.
 constexpr double filter_threshold = 0x1p-40;
 // Smaller products may underflow, which breaks the error bound.
 constexpr double smallest_safe = 1e-250;
@@ -53,7 +53,7 @@ int corner_side(const HalfPlane& i, const HalfPlane& j, const HalfPlane& k) {
       .sign();
 }
 
-// The normal's 1-norm, for parallel normals proportional to the length.
+// The normal's 1-norm; for parallel normals, proportional to the length.
 Dyadic exact_size(const HalfPlane& a) {
   const ExactNormal n(a);
   return (n.x.sign() < 0 ? -n.x : n.x) + (n.y.sign() < 0 ? -n.y : n.y);
@@ -72,7 +72,7 @@ int compare_scaled_bounds(const HalfPlane& a, const HalfPlane& b, int sign) {
   return (sign > 0 ? exact_first + exact_second : exact_first - exact_second).sign();
 }
 
-// Whether a's line is farther out than b's, for normals of one direction: -1, 0 or 1.
+// Compares how far out the lines are, for normals of one direction: -1, 0 or 1.
 int compare_bounds(const HalfPlane& a, const HalfPlane& b) {
   return compare_scaled_bounds(a, b, -1);
 }
@@ -82,7 +82,7 @@ int strip_width_sign(const HalfPlane& a, const HalfPlane& b) {
   return compare_scaled_bounds(a, b, 1);
 }
 
-// Sorted by normal; of each direction only the tightest half-plane.
+// The tightest half-plane of each direction, sorted by normal.
 Indices by_direction(const std::vector<HalfPlane>& planes) {
   const auto goes_before = [&](std::uint32_t i, std::uint32_t j) {
     const bool up_i = points_up(planes[i]), up_j = points_up(planes[j]);
@@ -100,8 +100,8 @@ Indices by_direction(const std::vector<HalfPlane>& planes) {
   return tightest;
 }
 
-// Whether the angle from i's normal counter-clockwise to j's is below 180 degrees by an angle whose
-// sine is at most `sine`. `side` > 0 is the normals' cross product.
+// Whether the angle from i's normal counter-clockwise to j's falls short of 180 degrees by an angle
+// whose sine is at most `sine`. `side` > 0 is the normals' cross product.
 bool nearly_opposite(const HalfPlane& i, const HalfPlane& j, double side, double sine) {
   const Vec2 ni = i.normal(), nj = j.normal();
   return dot(ni, nj) < 0 && side <= sine * length(ni) * length(nj);

@@ -73,7 +73,7 @@ bool is_on_side(const Vec2& a, const Vec2& c, const Vec2& b, double flat) {
 }
 
 // Removes the corners that only rounding makes: those within `flat` of the corner before, and those
-// on a straight run, at most tau of its length from the side that spans it. The tip of a thin hull
+// on a straight run, at most tau times the spanning side's length from it. The tip of a thin hull
 // may be as near to that side's line, but is beyond its ends. The search begins with the corner
 // farthest from the first, which cannot be within a straight run. A corner goes only with all
 // others of its run, so many slight turns that add up remain.
@@ -131,8 +131,8 @@ std::optional<std::size_t> side_before(const Points& hull, const Vec2& p) {
   return orient(hull[low], hull[high], p) < 0 ? std::optional(low) : std::nullopt;
 }
 
-// Adds a point to a hull by the sides that it is beyond. nullopt if a corner next to it may result
-// from rounding: then the whole hull matters. O(h), with little arithmetic.
+// Adds a point to a hull in place of the sides that it is beyond. nullopt if a corner next to it
+// may result from rounding: then the whole hull matters. O(h), with little arithmetic.
 std::optional<Points> with_point(const Points& hull, const Vec2& p, double flat) {
   const std::size_t n = hull.size();
   const auto side = [&](std::size_t i) { return orient(hull[i % n], hull[(i + 1) % n], p); };

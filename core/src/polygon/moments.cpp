@@ -43,7 +43,7 @@ Sums double_double_sums(const Points& vertices, const Vec2& corner) {
   return sums;
 }
 
-// Relative to the origin.
+// About the origin.
 struct ExactSums {
   Dyadic doubled_area, x, y;
 };

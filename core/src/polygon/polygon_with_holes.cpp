@@ -80,7 +80,7 @@ std::optional<InputError> check_rings(const Rings& rings) {
   return check_inside(swept);
 }
 
-// Orders holes so that each is near the one before: the ways between them are short, and few cross
+// Orders holes so that each is near the one before: the paths between them are short, and few cross
 // an edge of H. O(k^2) for k holes.
 std::vector<const Polygon*> chain_of(Vec2 at, const std::vector<Polygon>& holes) {
   std::vector<const Polygon*> chain;

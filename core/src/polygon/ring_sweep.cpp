@@ -72,7 +72,7 @@ class Sweep {
 
  private:
   // The vertical order of two active segments where the later one begins. It never changes before
-  // two segments meet, so the set stays sorted. `found_` stores two that meet there.
+  // two segments meet, so the set stays sorted. `sweep_.crossing` stores two that meet there.
   struct Below {
     Sweep* sweep;
     bool operator()(Index a, Index b) const { return sweep->is_below(a, b); }
@@ -128,7 +128,7 @@ class Sweep {
     return i == rings_.begin(ring) ? rings_.ends[ring] - 1 : i - 1;
   }
 
-  // At a ring's first vertex in sweep order. The ring is in the ring of the edge below if that
+  // At a ring's first vertex in sweep order. The ring is inside the ring of the edge below if that
   // ring's inside is above the edge, else beside it.
   void find_around(Index v) {
     const Index ring = ring_of_[v];

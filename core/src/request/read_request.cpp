@@ -67,13 +67,13 @@ class Reader {
   Problem take_flag(Index object, std::string_view name, bool& flag) const;
   Result<std::string> string(Index at, const char* what) const;
   std::string value_text(Index at) const;
-  std::string list_text(Index array) const;
+  std::optional<std::string> list_text(Index array, Setting setting) const;
 
   std::string_view text_;
   const JsonTree& tree_;
 };
 
-// A number's digits as text: a seed may have more than a double holds.
+// Keeps the digits of a number: a seed may have more than a double holds.
 std::string Reader::value_text(Index at) const {
   if (tree_.kind(at) == Kind::string) return std::string(tree_.text(at));
   if (tree_.kind(at) != Kind::number) return {};
@@ -85,18 +85,20 @@ std::string Reader::value_text(Index at) const {
   return std::string(text_.substr(first, last + 1 - first));
 }
 
-// Supports and their capacities may be arrays: [[0, 0], [1, 0]] as "0,0 1,0" and [30, null] as
-// "30,none". Other arrays become the empty text, which is no value of a setting.
-std::string Reader::list_text(Index array) const {
+// Supports and their capacities may be arrays: [[0, 0], [1, 0]] becomes "0,0 1,0", and [30, null]
+// "30,none". Nothing if an item is of another kind.
+std::optional<std::string> Reader::list_text(Index array, Setting setting) const {
+  const bool points = setting == Setting::supports;
   std::string text;
   for (Index i = tree_.first(array); i != tree_.end(array); i = tree_.next(i)) {
-    const bool is_point = tree_.kind(i) == Kind::array && point(i).ok();
-    if (!is_point && tree_.kind(i) != Kind::number && tree_.kind(i) != Kind::null) return {};
-    text += text.empty() ? "" : is_point ? " " : ",";
-    if (is_point)
+    const Kind kind = tree_.kind(i);
+    if (points ? kind != Kind::array || !point(i) : kind != Kind::number && kind != Kind::null)
+      return std::nullopt;
+    text += text.empty() ? "" : points ? " " : ",";
+    if (points)
       text += value_text(tree_.first(i)) + "," + value_text(tree_.next(tree_.first(i)));
     else
-      text += tree_.kind(i) == Kind::null ? "none" : value_text(i);
+      text += kind == Kind::null ? "none" : value_text(i);
   }
   return text;
 }
@@ -123,7 +125,7 @@ Problem Reader::take_flag(Index object, std::string_view name, bool& flag) const
   if (!at) return std::nullopt;
   if (tree_.kind(*at) != Kind::boolean)
     return error(*at, "\"" + std::string(name) + "\" must be true or false");
-  // The offset is that of the last letter, since "true" and "false" differ in length.
+  // The tree has only the last letter's offset.
   const std::size_t last = tree_.offset(*at);
   flag = last >= 3 && text_.substr(last - 3, 4) == "true";
   return std::nullopt;
@@ -158,7 +160,7 @@ Result<Points> Reader::points(Index array) const {
   return points;
 }
 
-// They replace those of the text.
+// The holes replace those of the text.
 Problem Reader::take_holes(Index array, Document& document) const {
   if (tree_.kind(array) != Kind::array)
     return error(array, "\"holes\" must be an array of rings, each an array of points [x, y]");
@@ -226,7 +228,7 @@ Problem Reader::take_settings(Index object, Document& document) const {
       if (setting_from_name(tree_.name(k)) == setting)
         return error(i, "the setting \"" + name + "\" is given twice", ErrorCode::bad_setting);
   }
-  // Members have no order: the robot's size is read before its parts, and supports before their
+  // Members have no order, so the robot's size is read before its parts, and supports before their
   // capacities and the method.
   for (const bool first : {true, false})
     for (Index i = tree_.first(*settings); i != tree_.end(*settings); i = tree_.next(i)) {
@@ -240,8 +242,9 @@ Problem Reader::take_settings(Index object, Document& document) const {
       const bool may_be_list =
           setting == Setting::supports || setting == Setting::support_capacities;
       const bool is_list = may_be_list && tree_.kind(i) == Kind::array;
-      const std::string value = is_list ? list_text(i) : value_text(i);
-      if (auto wrong = read_setting(setting, value, document)) return wrong;
+      const auto value = is_list ? list_text(i, setting) : std::optional(value_text(i));
+      if (!value) return setting_error(setting);
+      if (auto wrong = read_setting(setting, *value, document)) return wrong;
     }
   return std::nullopt;
 }
@@ -268,7 +271,7 @@ Result<Cargo> Reader::cargo_item(Index at) const {
   return item;
 }
 
-// Replaces the text's cargo. Its ranges are checked with the other settings.
+// Replaces the text's cargo. Ranges are checked later, with those of other settings.
 Problem Reader::take_cargo(Index array, Document& document) const {
   std::vector<Cargo>& cargo = document.settings.cargo;
   cargo.clear();

@@ -31,8 +31,8 @@ Sum sum_at(const Points& robots, const Vec2& b) {
   return sum;
 }
 
-// The b for which no g exceeds m. A larger g would make the sum exceed that at b = 0, so this
-// polygon contains the least sum. It is dual to H: edges become corners.
+// The b for which no g exceeds m + 1. A g above m makes the sum exceed that at b = 0, so this
+// polygon contains the least sum. Edges of H become its corners.
 Points region_of_least_sum(const Points& hull, std::size_t m) {
   Points region;
   for (std::size_t i = 0; i < hull.size(); ++i) {
@@ -55,7 +55,7 @@ Vec2 centroid_of(const Points& ring) {
   return area > 0 ? Vec2(ring[0] + weighted / (3 * area)) : ring[0];
 }
 
-// The greatest share over the lines through p and each other robot.
+// The greatest share over lines through p and another robot.
 double best_through(const Points& robots, const Vec2& p) {
   double best = 0;
   for (const Vec2& q : robots) {
@@ -72,7 +72,7 @@ double best_through(const Points& robots, const Vec2& p) {
 // On a line: the greatest share over the functions g that grow along it from 0 at a robot behind C.
 double best_ahead(std::vector<double> along) {
   std::sort(along.begin(), along.end(), std::greater<>());
-  double best = 0, sum = 0;  // of g over the robots ahead
+  double best = 0, sum = 0;  // `sum`: of g over the robots ahead
   for (std::size_t k = 1; k < along.size(); ++k) {
     sum += static_cast<double>(k) * (along[k - 1] - along[k]);
     if (along[k] < 0) best = std::max(best, -along[k] / sum);

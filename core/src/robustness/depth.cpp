@@ -11,20 +11,19 @@
 namespace evenlift {
 namespace {
 
-// For a robot within tolerance of the line.
+// Whether a robot within tolerance of the line counts.
 enum class OnTheLine { counts, does_not };
 
-// Along the unit vector u, a robot at d from C is on the side if u . d >= -near (counts) or u . d >
-// near (does not). Its directions u form an arc of pseudo-angles: closed and slightly more than a
-// half-turn, or open and slightly less.
+// A robot at d from C is on the side of the unit vector u if u . d >= -near (counts) or u . d >
+// near (does not). These u form an arc of pseudo-angles: closed and slightly more than a half-turn,
+// or open and slightly less.
 struct Arc {
   double begin, end;
 };
 
 Arc arc_of(const Vec2& d, double near, OnTheLine on_the_line) {
   const double distance = length(d);
-  // Where u . d is -near or near. There u has this component along d, and `across` perpendicular to
-  // it.
+  // At the arc's ends, u . d is `along`, and u has the components `along` and `across` over |d|.
   const double along = on_the_line == OnTheLine::counts ? -near : near;
   const double across = std::sqrt((distance - near) * (distance + near));
   const Vec2 side = across * left_normal(d);
@@ -33,7 +32,7 @@ Arc arc_of(const Vec2& d, double near, OnTheLine on_the_line) {
 
 // The least number of arcs that overlap in one direction.
 int least_overlap(const std::vector<Arc>& arcs, OnTheLine on_the_line) {
-  // Event 2 i begins arc i, event 2 i + 1 ends it.
+  // Event 2 i begins arc i, and event 2 i + 1 ends it.
   const auto angle = [&](std::uint32_t event) {
     const Arc& arc = arcs[event / 2];
     return event % 2 == 0 ? arc.begin : arc.end;

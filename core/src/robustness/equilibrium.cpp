@@ -15,7 +15,7 @@
 namespace evenlift {
 namespace {
 
-// The first robot within tolerance of a corner of H.
+// The first robot within tolerance of a corner of H, else the nearest.
 std::uint32_t robot_at(const Points& robots, const Vec2& corner, double near) {
   std::uint32_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -34,8 +34,7 @@ struct Edge {
   Vec2 from, to;
 };
 
-// The edge that C is farthest beyond; of equal ones within tolerance, the one whose first robot has
-// the smallest number.
+// The ends of the edge that C is farthest beyond. If edges tie, the smallest robot number decides.
 std::vector<std::uint32_t> farthest_edge(const Points& robots, const Points& hull,
                                          const Vec2& centre, double near) {
   double farthest = 0;

@@ -11,7 +11,7 @@
 namespace evenlift {
 namespace {
 
-// All robots, and what does not depend on which one fails.
+// All robots, and values that do not depend on which one fails.
 class Crew {
  public:
   Crew(const PolygonWithHoles& object, const Vec2& centre, double weight,
@@ -24,7 +24,7 @@ class Crew {
         teams_(teams),
         contacts_(contacts(object, lifting_points(teams))),
         positions_(positions(lifting_points(teams))) {
-    // The others are as stiff as before, but their mean load is greater.
+    // `uneven` is relative to the mean load, which grows; the stiffness stays.
     const auto m = static_cast<double>(positions_.size());
     disturbance_.uneven *= (m - 1) / m;
     const Points hull = convex_hull(positions_, near());
@@ -51,7 +51,7 @@ class Crew {
     return rest;
   }
 
-  // The other teams carry the weight in proportion to their loads before.
+  // The other teams carry the weight in proportion to their former loads.
   std::optional<double> greatest_by_plan(std::size_t robot) const {
     const std::size_t failed = find_robot(teams_, robot).team;
     double greatest = 0, carried = 0;

@@ -17,14 +17,14 @@
 namespace evenlift {
 namespace {
 
-// Relative to C.
+// Of places relative to C.
 struct Linear {
   double at_centre = 0;
   Vec2 slope = Vec2::Zero();
   double operator()(const Vec2& q) const { return at_centre + dot(slope, q); }
 };
 
-// With this value at the centroid and these slopes along the frame's axes.
+// Has this value at the centroid and these slopes along the frame's axes.
 Linear in_frame(const StandardFrame& frame, double at_mean, const Vec2& along_axes) {
   const Vec2 slope = along_axes.x() * frame.axis[0] + along_axes.y() * frame.axis[1];
   return {at_mean - dot(slope, frame.mean), slope};
@@ -38,8 +38,7 @@ class Springs {
     settle();
   }
 
-  // In units of weight / m. A negative value is the distance from carrying load. Within tolerance
-  // of 0 it is 0.
+  // In units of weight / m, and 0 within tolerance. A robot with a negative value carries no load.
   double pressure(std::size_t i) const {
     const double value = pressure_(robots_[i]);
     return std::fabs(value) <= tau ? 0 : value;
@@ -101,7 +100,7 @@ class Springs {
     return turn(frame).value_or(newton_step(bearing, frame));
   }
 
-  // The multiple of the step that at least halves the slope along it, on either side of 0.
+  // The multiple of the step that at least halves the size of the slope along it.
   double stride(const Linear& step, double slope) const {
     double low = 0, high = std::numeric_limits<double>::infinity(), times = 1;
     for (int i = 0; i < 100; ++i) {
@@ -152,7 +151,7 @@ class Changes {
   // Whether the loaded robots resist every motion of C. If not, others start to carry.
   bool determined() const { return determined_; }
 
-  // S^-1 (p - mean)|, with S the sum of (p - mean) (p - mean)' over the loaded robots.
+  // |S^-1 (p - mean)|, where S is the sum of (p - mean) (p - mean)' over the loaded robots.
   double per_length(const Vec2& p) const {
     const Vec2 q = frame_(p);
     return length(q.x() * frame_.axis[0] + q.y() * frame_.axis[1]) / parts_;

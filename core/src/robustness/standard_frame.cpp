@@ -8,7 +8,7 @@
 namespace evenlift {
 namespace {
 
-// Within tolerance of the line through the centroid.
+// Within tolerance of this line through the centroid.
 bool on_one_line(const Vec2& direction, const Points& offsets) {
   return std::all_of(offsets.begin(), offsets.end(), [&](const Vec2& d) {
     return std::fabs(cross(direction, d)) <= tau * length(direction);

@@ -12,7 +12,7 @@
 namespace evenlift {
 namespace {
 
-// A line whose part from 0 to `reach` has the robots.
+// A line, with all robots on its part from 0 to `reach`.
 struct Stand {
   Vec2 from = Vec2::Zero(), along = Vec2::Zero();  // `along` has length 1
   double reach = 0;
@@ -29,12 +29,11 @@ bool holds(const Stand& stand, const Vec2& centre, double near) {
   return across <= near && along >= -near && along <= stand.reach + near;
 }
 
-// The point's distance to the left of the line a b.
 double left_of(const Vec2& a, const Vec2& b, const Vec2& point) {
   return orient(a, b, point) / length(b - a);
 }
 
-// Moves C onto the robots' part of the line if rounding or the tolerance leaves it beyond.
+// Moves C onto the robots' part of the line if rounding or the tolerance leaves it outside.
 void move_onto(std::vector<double>& along) {
   const auto [least, greatest] = std::minmax_element(along.begin(), along.end());
   const double beyond = std::max(*least, 0.0) + std::min(*greatest, 0.0);
@@ -61,7 +60,7 @@ Support on_area(const Points& robots, const Points& hull, const Vec2& centre, do
   return support;
 }
 
-// The nearest edge of H within tolerance of C.
+// The edge of H nearest to C, if within tolerance.
 std::optional<Stand> edge_below(const Points& hull, const Vec2& centre, double near) {
   std::optional<Stand> nearest;
   double least = 0;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double most = std::numeric_limits<double>::max();
 
-// The sums over j of |P_ij| for robots with these loads; 0 without load.
+// For each robot i, the sum of |P_ij| over j (uncertainty.h); 0 without load.
 std::vector<double> sums_of_projection(const Points& robots, const Vec2& centre, double unit,
                                        const std::vector<double>& loads) {
   std::vector<std::size_t> bearing;
@@ -109,7 +109,7 @@ std::optional<double> radius_within_capacity(const SpringLoads& springs, double 
   double radius = std::max(0.0, std::min(springs.same_within, tipping_distance) - reach);
   for (std::size_t i = 0; i < springs.loads.size(); ++i) {
     const double more = besides.by.empty() ? 0 : besides.by[i];
-    // With heights that are off, a robot goes slack sooner.
+    // If heights are off, a robot goes slack sooner.
     if (more > 0 && springs.per_length[i] > 0)
       radius = std::min(radius, std::max(0.0, springs.loads[i] - more) / springs.per_length[i]);
     if (overloads(i, springs.loads[i] + more)) return std::nullopt;

@@ -27,10 +27,10 @@ Vec2 nearest_to_origin(const Points& hull) {
 }
 
 // The greatest share t of a robot at p with C within reach of the origin. The rest of the weight
-// acts at a point of H, so C is on t p + (1 - t) H, which shrinks towards p as t grows. Its
-// distance from the origin is convex in t. For the direction n of its nearest point, it is at least
-// n . (t p + (1 - t) v) for the corner v of H least along n. Newton's method goes down to the t for
-// which that is the reach.
+// acts at a point of H, so C is in t p + (1 - t) H, which shrinks towards p as t grows. Its
+// distance from the origin is convex in t. If n is the direction of its nearest point, and v the
+// corner of H least along n, the distance is at least n . (t p + (1 - t) v). Newton's method lowers
+// t until this bound is the reach.
 double greatest_share(const Vec2& p, const Points& hull, double reach) {
   constexpr int most_steps = 100;  // seldom above six
   double t = 1;

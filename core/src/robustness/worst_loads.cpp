@@ -8,7 +8,7 @@
 namespace evenlift {
 namespace {
 
-// There q (load_models.h) is the line's other end.
+// Here q (load_models.h) is the end beyond C.
 std::vector<double> shares_on_line(const Points& at) {
   double least = 0, greatest = 0;
   for (const Vec2& robot : at) {

@@ -12,10 +12,9 @@
 namespace evenlift {
 namespace {
 
-// Bounds exceed computed values by these, so that rounding cannot make them too low: for the area
-// of a clipped polygon in units of L^2, for each summed distance in units of L, and as a factor for
-// areas. Each is at least a thousand times the error, which only makes a few more ends be evaluated
-// in full.
+// Bounds are raised by these, so that rounding cannot make them too low: the area of a clipped
+// polygon (in units of L^2), each summed distance (in units of L), and areas (by a factor). Each is
+// at least a thousand times the error; the only cost is a few more full evaluations.
 constexpr double clipping = 1e-13, per_distance = 1e-12, rounded_up = 1 + 1e-9;
 
 // The signed distance of v from the line a -> b, positive to the right: outside, for an edge of H.
@@ -76,8 +75,8 @@ Wedge::Wedge(const Surroundings& surroundings, Metric metric, const Vec2& h1, co
 }
 
 // Only the area in the triangle h1 h2 p counts in the end. To save time, this removes the area that
-// C does not see between h1 and h2, except for a rim of twice the distance by which a p in the
-// direction of a corner may miss it.
+// C does not see between h1 and h2, except for a rim: p in a corner's direction may miss it by half
+// the rim's width.
 void Wedge::collect_area() {
   outside_ = clip_left(surroundings_->boundary, h2_, h1_);
   if (is_convex()) {
@@ -92,7 +91,7 @@ void Wedge::collect_area() {
   outside_area_ = signed_area(outside_);
 }
 
-// If C is on the edge, rounding decides its side; the answer is still yes.
+// If C is on the edge, rounding decides its side; the result is still true.
 bool Wedge::is_convex() const {
   const double past_180 = -cross(h1_, h2_) / std::min(length(h1_), length(h2_));
   constexpr double rounding = 0x1p-44;
@@ -160,7 +159,7 @@ Wedge::Split Wedge::split_at(const Vec2& p) const {
           static_cast<std::size_t>(end - outer_.begin())};
 }
 
-// Calls visit(vertex, distance outside the new edge, whether that is h1 p). A vertex in the
+// Calls visit(vertex, distance outside the new edge, whether this edge is h1 p). A vertex in the
 // direction of p keeps its longer arm, so that mirror images have the same sum.
 template <class Visit>
 void Wedge::for_each_arm(const Vec2& p, Visit visit) const {
@@ -216,12 +215,12 @@ Gain Wedge::sharpen(const Vec2& p, const Gain& known) {
   return {evaluate(p), Certainty::exact};
 }
 
-// Makes the close bounds once they are likely to pay. Returns whether they exist.
+// Makes the close bounds once they are likely to save time. Returns whether they exist.
 bool Wedge::prepare_close_bounds() {
   if (area_bins_ || distance_blocks_) return true;
   constexpr std::size_t few_vertices = 48;
   constexpr int few_evaluations = 4;
-  constexpr double narrow = 1e-3;  // rounding would spoil narrower bins
+  constexpr double narrow = 1e-3;  // rounding would spoil narrower wedges
   if (std::max(outside_.size(), outer_.size()) < few_vertices || ++evaluations_ <= few_evaluations)
     return false;
   switch (metric_) {

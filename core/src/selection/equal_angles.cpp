@@ -40,8 +40,8 @@ class Opening {
   static constexpr int worth_narrowing = 4;  // chords; narrowing costs about two
 
   // The edges that could be farthest from C on a line of the opening, in the same order. An edge's
-  // distance is greatest at an end of the opening. Inside it is at least the lesser of those at the
-  // ends, times the cosine of the width. A margin keeps ties in spite of rounding.
+  // distance is greatest at an end of the opening, and nowhere less than the lesser distance at an
+  // end times the cosine of the width. A margin keeps ties in spite of rounding.
   Edges far_ones(const Edges& edges, double side) const {
     const double width = to_ - from_;
     if (edges.size() < 2 || width > 1) return edges;
@@ -75,7 +75,7 @@ EqualAngles::EqualAngles(const Polygon& polygon, const Vec2& centre)
       [&](double from, double to, const Edges&, const Edges&) { measure_ += to - from; });
 }
 
-// By ascending angle: visit(from, to, edges ahead, edges behind).
+// Calls visit(from, to, edges ahead, edges behind) by ascending angle.
 template <class VisitOpening>
 void EqualAngles::for_each_opening(VisitOpening visit) const {
   RadialSweep sweep(polygon_, view_);
@@ -107,10 +107,10 @@ void EqualAngles::for_each_chord(const std::vector<std::uint32_t>& numbers,
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (numbers[i] > 0) all.push_back({i, static_cast<double>(numbers[i])});
 
-  double before = 0;  // measure of the openings before
+  double before = 0;  // measure of the previous openings
   for_each_opening([&](double from, double to, const Edges& ahead, const Edges& behind) {
     // A target between two openings belongs to the lower one. The last opening takes all that
-    // remain: rounding of the sums loses none.
+    // remain, so rounding loses none.
     const double after = before + (to - from);
     Opening opening(rays_, from, to, ahead, behind);
     for (Progress& number : all) {

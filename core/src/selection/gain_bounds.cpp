@@ -19,7 +19,7 @@ Vec2 direction_with_pseudo_angle(double angle) {
   return {angle - 3, angle - 4};
 }
 
-// Of the area between C and a segment whose ends have the levels s and t.
+// The share of the area between C and a segment with ends at levels s and t.
 double share_up_to(double level, double s, double t) {
   if (s > t) std::swap(s, t);
   if (t <= level) return 1;
@@ -28,7 +28,7 @@ double share_up_to(double level, double s, double t) {
   return along + (1 - along) * (level / t);
 }
 
-// About as many as items in each part. In measurements, more than a few dozen bins made bounds no
+// About as many parts as each has items. In measurements, more than a few dozen bins made bounds no
 // cheaper.
 std::size_t number_of_parts(std::size_t m, std::size_t most) {
   return std::clamp(static_cast<std::size_t>(std::sqrt(static_cast<double>(m))), std::size_t{1},
@@ -51,8 +51,8 @@ AreaBins::AreaBins(const Points& region, const Vec2& h1, const Vec2& h2, double 
   make_bins(number_of_parts(region.size(), 64));
   const std::vector<Piece> pieces = split(region);
   measure_levels(pieces);
-  // Each sum has at most this many terms, with errors of about 1e-16 of the object's size squared.
-  // Measuring a piece adds a few dozen roundings.
+  // A sum has at most a term for each piece and bin, each off by about 1e-16 L^2. Measuring a piece
+  // adds a few dozen roundings (`before`).
   constexpr double per_term = 1e-14, before = 100;
   error_bound_ =
       per_term * diameter * diameter * (static_cast<double>(pieces.size() + bins_.size()) + before);
@@ -145,7 +145,7 @@ void AreaBins::measure_levels(const std::vector<Piece>& pieces) {
   }
 }
 
-// An upper bound: as if the region filled the bin between two known levels.
+// As if the region filled the bin between known levels.
 double AreaBins::Bin::inside_at_most(double level) const {
   const double steps = (level - lowest) / step;
   if (!(steps < levels)) return inside[levels];
@@ -221,8 +221,8 @@ double DistanceBlocks::least_sum_beyond(const Vec2& a, const Vec2& b, std::size_
   return sum / line.length;
 }
 
-// Any subset of the points gives a lower bound. This takes those above the level where the line
-// meets the block's middle direction.
+// Any subset of the points gives a lower bound. This takes those at or above the level where the
+// line meets the block's middle direction.
 double DistanceBlocks::least_sum_of_block(const Line& line, std::size_t block) const {
   const Vec2& ahead = aheads_[block];
   const double level = dot(ahead, ahead) * (line.side / cross(line.along, ahead));

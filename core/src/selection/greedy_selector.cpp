@@ -14,8 +14,8 @@
 namespace evenlift {
 namespace {
 
-// For score_slack. Rounding an edge's ends turns its line, which moves far at a vertex distant from
-// a short edge. So the floor of the metric distance grows as the shortest edge shrinks.
+// For score_slack(). Rounding the ends of a short edge turns its line, which moves far at a distant
+// vertex. So the floor for `distance` grows as the shortest edge shrinks.
 double floor_of(double size, Metric metric, const Points& hull) {
   if (!scores_are_lengths(metric)) return score_floor * size * size;
   double shortest = short_edge * size;
@@ -119,7 +119,7 @@ void Selector::evaluate(End& end) {
   std::swap(end.wedge, *end.other_wedge);
 }
 
-// One step, at the less certain end of an inexact candidate.
+// Takes one step, at the less certain end of an inexact candidate.
 void Selector::sharpen(Index candidate) {
   End &first = ends_[2 * candidate], &second = ends_[2 * candidate + 1];
   End& end = first.gain.certainty <= second.gain.certainty ? first : second;
@@ -135,8 +135,8 @@ Selector::Index Selector::best_by(Rule rule, Indices indices) const {
   return indices.front();
 }
 
-// The best score of the open candidates. Lazy greedy selection (greedy_selector.h) evaluates the
-// largest bound first. Candidates that cannot tie with the best keep their bounds.
+// Lazy greedy selection (greedy_selector.h) evaluates the largest bound first. Open candidates that
+// cannot tie with the best keep their bounds.
 double Selector::find_best_score() {
   double best = -std::numeric_limits<double>::infinity();
   Indices open;  // without exact gains
@@ -150,7 +150,7 @@ double Selector::find_best_score() {
   const auto smaller_bound = [&](Index a, Index b) {
     return bound(a) != bound(b) ? bound(a) < bound(b) : a > b;
   };
-  // Those that cannot tie with the first need not enter the heap.
+  // Candidates that cannot tie with the best so far need not enter the heap.
   if (!open.empty())
     best = std::max(best, score(*std::max_element(open.begin(), open.end(), smaller_bound)));
   std::erase_if(open, [&](Index i) { return exact(i) || !ties(best, bound(i)); });
@@ -168,7 +168,7 @@ double Selector::find_best_score() {
   return best;
 }
 
-// Finds and evaluates the open candidates that tie for the best, in candidate order.
+// Evaluates and returns the open candidates that tie for the best score, in candidate order.
 Selector::Indices Selector::find_leaders() {
   best_score_ = find_best_score();
   Indices leaders;
@@ -187,7 +187,7 @@ void Selector::line_up(Indices leaders) {
   std::reverse(line_.begin(), line_.end());
 }
 
-// Adds a candidate's ends to H. Returns whether H changed. O(h) for h corners, plus new wedges.
+// Returns whether H changed. O(h) for h corners, plus new wedges.
 bool Selector::widen_base(Index candidate) {
   Points hull =
       widen_hull(hull_, ends_[2 * candidate].position, ends_[2 * candidate + 1].position, near_);
@@ -221,8 +221,7 @@ bool Selector::widen_base(Index candidate) {
   return true;
 }
 
-// Assigns to a new wedge the ends that C sees in it. An end in the direction of a corner is also in
-// the wedge beyond it.
+// Assigns to a new wedge the ends that C sees in it.
 void Selector::enter_wedge(Index index) {
   const Wedge& wedge = wedges_[index];
   // Whether `other` is beyond the corner in the direction of the end.
@@ -248,7 +247,7 @@ void Selector::enter_wedge(Index index) {
       });
 }
 
-// As far as it is cheap.
+// The gain if it is cheap, otherwise an upper bound.
 Gain Selector::estimate(const End& end) const {
   const auto by = [&](Index wedge) {
     return gains(wedges_[wedge], end.position) ? wedges_[wedge].estimate(end.position) : Gain{};
@@ -259,14 +258,14 @@ Gain Selector::estimate(const End& end) const {
   return {larger, larger == 0 ? Certainty::exact : Certainty::bound};
 }
 
-// Whether p, which C sees in the wedge, is outside H by more than the tolerance. A segment H
-// includes its line.
+// Whether p, which C sees in the wedge, is outside H by more than the tolerance. If H is a segment,
+// its whole line counts as H.
 bool Selector::gains(const Wedge& wedge, const Vec2& p) const {
   const double distance = wedge.distance(p);
   if (distance <= 0) return false;
   if (distance > near_) return true;
   if (hull_.size() <= 2) return false;
-  // Near the line p may be far from H, beyond a corner.
+  // Near the line, p may still be far from H, beyond a corner.
   for (std::size_t i = 0; i < hull_.size(); ++i) {
     if (distance_to_segment(hull_[i], hull_[(i + 1) % hull_.size()], p) <= near_) return false;
   }

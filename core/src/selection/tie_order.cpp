@@ -12,8 +12,8 @@ namespace {
 using Index = std::uint32_t;
 using Indices = std::vector<Index>;
 
-// A row of places, each with an index or nothing, and the least index among the first ones: a tree
-// whose inner nodes hold the lesser child. O(log n) per change or query.
+// A row of places, each with an index or `nothing`. A tree whose inner nodes hold the lesser child
+// finds the least of the first ones. O(log n) per change or query.
 class LeastIndex {
  public:
   static constexpr Index nothing = std::numeric_limits<Index>::max();
@@ -44,7 +44,7 @@ class LeastIndex {
 };
 
 // Removes candidates that `count` choices cannot reach: the best remaining ratio is always at least
-// the count-th, and taken ratios tie with it. Thousands may tie when few are needed.
+// the count-th largest, and taken ratios tie with it. Thousands may tie when few are needed.
 void leave_out_unreachable(const std::vector<Candidate>& candidates, std::size_t count,
                            Indices& left) {
   if (left.size() <= count) return;
@@ -77,8 +77,8 @@ std::vector<std::uint32_t> order_of_taking(const std::vector<Candidate>& candida
   std::vector<std::size_t> place(candidates.size());  // of each candidate in by_length
   for (std::size_t k = 0; k < by_length.size(); ++k) place[by_length[k]] = k;
 
-  // The places whose ratio ties with the best remaining one. It only falls, so they only become
-  // more.
+  // The places whose ratio ties with the best remaining one. This only falls, so places stay until
+  // taken.
   std::set<std::size_t> places;
   LeastIndex indices(by_length.size());
   std::vector<bool> taken(candidates.size(), false);

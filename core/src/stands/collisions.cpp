@@ -38,7 +38,7 @@ bool Stands::bodies_collide(const LiftingPoint& a, const LiftingPoint& b) const 
   return apart > 0 && length(stand(a) - stand(b)) < apart;
 }
 
-// Without a reach an arm is in its own body, which keeps the other arm away.
+// Without a reach, an arm is inside its body, which keeps others away.
 bool Stands::arms_collide(const LiftingPoint& a, const LiftingPoint& b) const {
   if (robot_.reach <= 0) return false;
   const Segment arm_a{contact(a), stand(a)}, arm_b{contact(b), stand(b)};

@@ -10,7 +10,7 @@ bool comes_first(const EdgePart& a, const EdgePart& b) {
   return a.edge != b.edge ? a.edge < b.edge : a.from < b.from;
 }
 
-// In order, joined where they meet.
+// Sorted, and joined where they meet.
 std::vector<EdgePart> united(std::vector<EdgePart> parts) {
   std::sort(parts.begin(), parts.end(), comes_first);
   std::vector<EdgePart> joined;

@@ -4,7 +4,7 @@
 
 namespace evenlift {
 
-// Separating axes: projections onto the normal of some side are apart. Rounding is harmless:
+// Rectangles are apart if their projections onto some side's normal are. Rounding is harmless:
 // `around` includes a margin.
 bool NearEdges::meets(const Surrounding& around, const Box& box) {
   const Vec2 half = box.size() / 2, middle = box.middle() - around.start;

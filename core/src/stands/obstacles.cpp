@@ -26,7 +26,7 @@ double x_at(const Vec2& p, const Vec2& q, double y) {
   return p.x() + std::clamp(part, 0.0, 1.0) * (q.x() - p.x());
 }
 
-// x on a segment where y is from `low` to `high`, both included.
+// The x of a segment where `low` <= y <= `high`.
 Extent within(const Vec2& p, const Vec2& q, double low, double high) {
   Extent extent;
   for (const Vec2& end : {p, q})
@@ -36,7 +36,7 @@ Extent within(const Vec2& p, const Vec2& q, double low, double high) {
   return extent;
 }
 
-// Crossing the line at height y; upper ends count, lower ones do not.
+// Where the segment crosses height y. Upper ends count, lower ones do not.
 Extent crossing(const Vec2& p, const Vec2& q, double y) {
   Extent extent;
   if ((p.y() < y) != (q.y() < y)) extent.add(x_at(p, q, y));
@@ -45,8 +45,8 @@ Extent crossing(const Vec2& p, const Vec2& q, double y) {
 
 Vec2 upside_down(const Vec2& v) { return {v.x(), -v.y()}; }
 
-// Where the hand must be beneath the object, to tau L. Empty if its depth is less than a tenth of
-// its width.
+// Where the hand must be beneath the object, within tau L. Empty if its depth is less than a tenth
+// of its width.
 struct HandDepths {
   double from, to;
   HandDepths(const RobotSize& robot, double near)
@@ -56,9 +56,9 @@ struct HandDepths {
 
 }  // namespace
 
-// Intersects the line of the body's middle with the capsule of its radius about the other edge: one
-// interval, as for any convex set. Its ends are on the discs about the vertices or on the straight
-// sides.
+// Intersects the line of the body's middle with the capsule of its radius about the other edge. A
+// capsule is convex, so this is one interval. Its ends are on the discs about the vertices or on
+// the straight sides.
 std::optional<Stretch> lost_to_body(const SeenObstacle& other, const RobotSize& robot,
                                     double near) {
   const double radius = robot.radius - near, height = robot.radius + robot.reach;
@@ -86,7 +86,7 @@ std::optional<Stretch> lost_to_body(const SeenObstacle& other, const RobotSize& 
   return extent.stretch();
 }
 
-// On the object's side of the line the other edge does not obstruct the arm.
+// On the object's side of the line, the other edge does not obstruct the arm.
 std::optional<Stretch> lost_to_arm(const SeenObstacle& other, const RobotSize& robot) {
   const Vec2 &p = other.p, &q = other.q;
   if (robot.reach <= 0 || std::max(p.y(), q.y()) <= 0) return std::nullopt;

@@ -50,7 +50,7 @@ Stands::Stands(const PolygonWithHoles& object, const RobotSize& robot,
   const Polygon& polygon = object.outline();
   const Surveyor surveyor(object, robot, no_go);
   const std::vector<char> forbidden = forbidden_vertices(polygon, no_go, near_);
-  // How far robots keep from a vertex where none may stand.
+  // The distance of robots from a vertex where none may stand.
   const auto margin_at = [&](std::size_t vertex) {
     return has_body() || forbidden[vertex] ? 2 * near_ : 0;
   };

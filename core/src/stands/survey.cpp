@@ -30,8 +30,8 @@ SeenObstacle seen_from(const EdgeFrame& frame, const LineEnds& line) {
   return {seen(line.start), seen(line.end)};
 }
 
-// A hand that meets no edge is beyond them, outside the object, if an odd number of edges separates
-// it from the contact.
+// A hand that meets no edge is outside the object if an odd number of edges separates it from the
+// contact.
 void add_parted(std::vector<double> parted, WhyUnusable why, Losses& losses) {
   std::sort(parted.begin(), parted.end());
   for (std::size_t i = 0; i < parted.size(); i += 2) losses.add(why, {parted[i], parted[i + 1]});

@@ -16,13 +16,13 @@ Vec2 centroid_of(const Robots& robots) {
   return sum / static_cast<double>(robots.size());
 }
 
-// The best move so far, by the sum of squared moves.
+// The best move so far, by the sum of squared displacements.
 class NearestEven {
  public:
   NearestEven(const balanced::Rules& rules, const Robots& robots)
       : rules_(rules), robots_(robots) {}
 
-  // All places of the robots i < j, perhaps after a third one has moved.
+  // Tries all places of robots i < j, perhaps with a third at `place`.
   void try_two(std::size_t i, std::size_t j, std::optional<std::size_t> third = std::nullopt,
                const LiftingPoint& place = {}) {
     Robots all = robots_;

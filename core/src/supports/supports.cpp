@@ -17,7 +17,7 @@
 namespace evenlift {
 namespace {
 
-// The vertex within tau L of the point, or the point itself.
+// The edge's end within tau L of the point, or the point.
 Vec2 or_vertex(const Polygon& polygon, std::uint32_t edge, const Vec2& point) {
   const double near = near_distance(polygon.diameter());
   for (const Vec2& end : {polygon.edge_start(edge), polygon.edge_end(edge)})
@@ -25,10 +25,10 @@ Vec2 or_vertex(const Polygon& polygon, std::uint32_t edge, const Vec2& point) {
   return point;
 }
 
-// A point this near to the outline is on it, as doubles allow, and stays as given.
+// A point this near the outline is on it but for rounding, and stays as given.
 double rounding_of(const Vec2& point) { return 0x1p-50 * point.cwiseAbs().maxCoeff(); }
 
-// Three significant digits for a message.
+// Rounds to three significant digits.
 std::string in_brief(double distance) {
   constexpr std::uint64_t three_digits = 1000;
   Decimal decimal = shortest_decimal(distance);
@@ -82,7 +82,7 @@ std::optional<LiftingPoint> SupportPlacer::place(const Vec2& support) const {
     if (length(support - at) > least + near) continue;
     return LiftingPoint{or_vertex(outline, i, least <= rounding_of(support) ? support : at), i};
   }
-  return std::nullopt;  // some edge is at the least distance
+  return std::nullopt;  // never: some edge is nearest
 }
 
 Vec2 widest_addition(const Polygon& polygon, const Points& robots) {

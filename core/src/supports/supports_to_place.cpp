@@ -22,7 +22,7 @@ class ShortNumbers {
   double up_ = 1, down_ = 1;  // powers of ten; one of them is 1
 };
 
-// Places along the sides of a square, from its lower left corner; none if one is not beneath the
+// Places along the sides of a square, from its lower left corner; none if one is outside the
 // object. `size` is half a side.
 Points on_square(const SupportPlacer& placer, const ShortNumbers& rounded, const Vec2& middle,
                  double size, std::size_t robots) {
@@ -42,8 +42,8 @@ Points on_square(const SupportPlacer& placer, const ShortNumbers& rounded, const
   return supports;
 }
 
-// Where the square's middle may be, from C in parts of its size: `wanted`, then all others with C
-// inside the square, the nearest first.
+// Offsets of the square's middle from C, in units of `size`: `wanted`, then others with C inside
+// the square, the nearest to `wanted` first.
 std::vector<Vec2> middles(const Vec2& wanted) {
   std::vector<Vec2> all = {wanted};
   for (int x = -3; x <= 3; ++x)
@@ -71,7 +71,7 @@ Points supports_to_place(const PolygonWithHoles& object, const Vec2& centre, std
   };
   for (const double size : {largest, largest / 2})
     if (Points supports = fits(offsets[0], size); !supports.empty()) return supports;
-  // Smaller robots would hide each other, so the square may also be beside C.
+  // On smaller squares robots hide each other, so the middle may be elsewhere.
   for (double size = largest; size > 1e-3 * diameter; size /= 2)
     for (const Vec2& offset : offsets)
       if (Points supports = fits(offset, size); !supports.empty()) return supports;

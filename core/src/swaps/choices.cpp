@@ -10,10 +10,10 @@
 namespace evenlift::swaps {
 namespace {
 
-// Covers the rounding of u . w, below 1e-15: u is a unit vector, and w at most as long as the root
-// of 2, with torques in units of R. It only makes more choices be examined in full.
+// Covers the rounding of u . w, which is below 1e-15: u is a unit vector, and w, with torques in
+// units of R, is at most sqrt(2) long. It costs only a few more full examinations.
 constexpr double slack = 1e-9;
-// A choice that no direction rules out is tried in all.
+// A choice that no direction rules out is tested in all.
 constexpr std::size_t most_directions = 64;
 
 void append(const Chord& chord, std::vector<LiftingPoint>& robots) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint8_t exact = 2;
 
-// The trials of one level, the greatest possible coverage first; ties in any order.
+// The trials of one level, the greatest possible coverage first, then in order.
 class ByCoverage {
  public:
   ByCoverage(std::vector<Trial>& trials, std::vector<std::uint32_t> which)
@@ -85,15 +85,15 @@ class Round {
   }
 
   // Of the trials at the level that are better than the present choice, those that tie for the
-  // largest coverage. No trial is above the level.
+  // largest coverage. No trial may be above the level.
   std::vector<std::uint32_t> best_by_coverage(std::uint32_t level) {
     double least = level == now_.level ? now_.coverage - coverage_tie : -1;
     ByCoverage queue(trials_, possible(level, least));
     std::vector<std::uint32_t> found;
     while (!queue.empty() && trials_[queue.first()].coverage >= least) {
       Trial& trial = trials_[queue.first()];
-      // Until a trial is found at a better level, no coverage is too small, so the margin is tested
-      // first.
+      // Above the present level, no coverage is too small until a trial is found, so the margin is
+      // tested first.
       const bool margin_first = least < 0;
       if (fails(trial, level) || (margin_first && !reaches(trial, level))) {
         queue.pop();

@@ -29,7 +29,7 @@ std::vector<std::uint32_t> arranged(const std::vector<std::uint32_t>& before,
   return after;
 }
 
-// Free candidates, with each of the parts that stay.
+// Each free candidate with each part that stays.
 std::vector<Trial> trials_with_others(const Choices& choices,
                                       const std::vector<std::uint32_t>& taken) {
   std::vector<char> is_taken(choices.size());
@@ -58,7 +58,6 @@ class Swapper {
   }
 
  private:
-  // Until no swap makes the choice better.
   void make_swaps() {
     const std::size_t most_rounds = 4 * taken_.size();
     history_.settled = false;

@@ -29,7 +29,7 @@ void StepFigures::three() {
   add_balanced(placement_.weight() / 3);
 }
 
-// The arms, and beside them the arms end to end, each divided by the number of robots.
+// The arms; then the arms, divided by the number of robots, end to end.
 void StepFigures::many() {
   const std::vector<LiftingPoint>& robots = detail_.balanced->robots;
   const auto number = static_cast<double>(robots.size());

@@ -13,8 +13,8 @@ namespace {
 
 bool same_place(const LiftingPoint& a, const LiftingPoint& b) { return a.position == b.position; }
 
-// Matches each robot to the one at its place in the set before, and the few that moved by the least
-// sum of squared distances.
+// Matches each robot to the former one at its place, and the few that moved so that the sum of
+// squared distances is least.
 std::vector<std::uint32_t> matched(const std::vector<LiftingPoint>& robots,
                                    const std::vector<LiftingPoint>& before) {
   std::vector<std::uint32_t> match(robots.size(), no_index), left;
@@ -56,7 +56,7 @@ std::vector<std::uint32_t> in_order(std::size_t robots) {
   return numbers;
 }
 
-// From the last set, numbered in order, back to the first.
+// Numbers the last set in order, then goes back to the first.
 void number_robots(Trace& trace) {
   const BalancedHistory& history = trace.history;
   trace.robot_numbers.assign(history.moves.size() + 1,
@@ -80,8 +80,8 @@ const BalancedSet* last_set(const Trace& trace) {
   return history.moves.empty() ? &history.start.back() : &history.moves.back().set;
 }
 
-// The set whose completion is shown in full: the first of more than two robots, else the last; null
-// if all were found at once.
+// The set whose completion is shown in full: the first of more than two robots, otherwise the last;
+// null if all were found at once.
 const BalancedSet* shown_completion(const Trace& trace) {
   const BalancedSet* shown = nullptr;
   for (const BalancedSet& set : trace.history.start) {
@@ -104,8 +104,6 @@ Chord chord_taken(const LiftingPoint& r1, const LiftingPoint& r2, const Vec2& mi
   return {r1, r2, length(r1.position - middle), length(r2.position - middle), 1};
 }
 
-// The robots that stay, the point about which a chord was drawn, and the possible chords about it.
-// Sets found at once have none.
 void look_at_completion(const Trace& trace, const BalancedSet& set, BalancedDetail& detail) {
   if (set.at_once) return;
   detail.rest = set.kept;
@@ -161,7 +159,6 @@ void look_at_failures(const Trace& trace, StepDetail& detail, BalancedDetail& ba
   for (std::uint32_t i = 0; i < balanced.robots.size(); ++i) balanced.numbers.push_back(i / 2);
 }
 
-// As many robots in teams of two; nullopt if impossible.
 std::optional<Placement> place_in_pairs(const Trace& trace) {
   Settings settings = trace.placement.settings;
   if (settings.robots % 2 != 0) return std::nullopt;

@@ -15,7 +15,7 @@ void StepNumbers::cargo() {
   add("moved_by", length(after.centre - before.centre));
 }
 
-// The lever between what was there and the item turns about the new centre of mass.
+// The lever from the former centre of mass to the item turns about the new one.
 void StepFigures::cargo() {
   const Cargo& item = placement_.settings.cargo[item_];
   const Vec2 before = with_cargo(item_).centre;

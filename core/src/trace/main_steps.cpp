@@ -12,7 +12,6 @@ constexpr std::uint32_t swaps_shown = 3;
 constexpr std::uint32_t supports_shown = 4;
 constexpr std::uint32_t cargo_shown = 3;
 
-// Represents all edge pairs.
 std::uint32_t telling_pair(const Trace& trace) {
   constexpr std::uint32_t most_looked_at = 200;
   constexpr double as_long = 1 + 1e-6;  // so that congruent shapes choose alike

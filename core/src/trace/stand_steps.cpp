@@ -67,7 +67,6 @@ void StepNumbers::stands() {
       add(name(static_cast<WhyUnusable>(why)), stands.lost[why] / stands.boundary);
 }
 
-// The unusable parts, a robot that does not fit for each reason, and one that fits.
 void StepFigures::stands() {
   const std::vector<UnusablePart>& parts = placement_.stands->unusable();
   for (std::uint32_t i = 0; i < parts.size(); ++i) {

@@ -16,13 +16,13 @@ Points first_places(const Placement& placement, std::size_t number) {
   return places;
 }
 
-// The loads of springs, load(p) = level + slope . (p - C), where above 0.
+// The loads of springs: level + slope . (p - C), where above 0.
 struct Sinking {
   double level = 0;
   Vec2 slope = Vec2::Zero();
 };
 
-// The line of least squares through the robots that carry load; level if they are on one line.
+// The plane of least squares through the loads above 0; level if these robots are on one line.
 Sinking sinking_of(const Placement& placement) {
   const Vec2& centre = placement.centre_of_mass;
   Vec2 mean = Vec2::Zero();
@@ -118,7 +118,7 @@ void StepFigures::by_lever() {
   add_supports(true);
 }
 
-// Triangles of C and two robots: each area is the share of the third.
+// Triangles of C and two robots: each area is in proportion to the third's load.
 void StepFigures::by_areas() {
   const Points places = first_places(placement_, 3);
   for (std::uint32_t i = 0; i < 3; ++i)
@@ -127,8 +127,8 @@ void StepFigures::by_areas() {
   add_supports(true);
 }
 
-// Lines where springs would carry the same, like contour lines of a tilted board, and the direction
-// in which it sinks.
+// Lines of equal load on springs, like contour lines of a tilted board, and the direction in which
+// it sinks.
 void StepFigures::by_springs() {
   constexpr int lines = 7;
   const Sinking sinking = sinking_of(placement_);

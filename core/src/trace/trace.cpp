@@ -17,8 +17,8 @@
 namespace evenlift {
 namespace {
 
-// In the order of the sweep that finds the chords. It lists a chord between two vertices at the
-// forward one; here the backward one also lists it.
+// In the order of the sweep that finds the chords. The sweep lists a chord between two vertices at
+// the forward one, `rays` also at the backward one.
 Trace::Rays make_rays(const Polygon& polygon, const Vec2& centre,
                       const std::vector<VertexChord>& chords) {
   const RadialView view(polygon, centre);
@@ -402,7 +402,7 @@ Points lifting_base(const Trace& trace, const Progress& known) {
 }
 
 // The sweep turns left from the x axis, but slopes rise from just after the vertical to the
-// vertical: the order is the sweep's, from after the vertical.
+// vertical. So the chords after the vertical come first.
 std::vector<std::uint32_t> chords_by_slope(const Trace& trace) {
   std::vector<std::uint32_t> falling, others;
   for (std::uint32_t i = 0; i < trace.rays.vertices.size(); ++i) {

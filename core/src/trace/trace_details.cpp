@@ -20,7 +20,6 @@ void cut_regions(const Trace& trace, std::uint32_t contacts, StepDetail& detail)
   detail.counterclockwise_before = before.counterclockwise.exists;
 }
 
-// H before and with a team, and the scores of a choice among candidates.
 void look_at_team(const Trace& trace, StepDetail& detail) {
   const std::uint32_t team = detail.step.item;
   if (trace.by_candidates() && detail.step.kind != StepKind::base)

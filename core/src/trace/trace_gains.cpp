@@ -1,4 +1,4 @@
-// What a metric measures, by the same wedges of H as the scores.
+// Figures of a metric's gain, by the same wedges as the scores.
 #include <algorithm>
 
 #include "evenlift/trace.h"

@@ -34,7 +34,7 @@ std::vector<LiftingPoint> robots_on(const Trace& trace, const std::vector<std::u
   return robots;
 }
 
-// Where the team of a swap could move.
+// Candidates to which a team could move.
 std::vector<std::uint32_t> open_to(const Trace& trace, std::uint32_t swap, std::uint32_t team) {
   std::vector<std::uint32_t> taken = taken_before(trace, swap);
   const Stands* stands = trace.placement.stands.get();

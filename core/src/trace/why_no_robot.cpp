@@ -1,4 +1,4 @@
-// Compares the best set with a robot at the place.
+// Explains why no balanced robot stands at a place.
 #include <algorithm>
 
 #include "evenlift/plane.h"
@@ -23,7 +23,7 @@ bool has_robot(const std::vector<LiftingPoint>& robots, const Vec2& place) {
                      [&](const LiftingPoint& robot) { return robot.position == place; });
 }
 
-// Searches backwards for the move that put a robot at its place.
+// Searches backwards for the move that put a robot at `place`.
 void find_arrival(const Trace& trace, const BalancedSet& set, const Vec2& place,
                   WhyNoRobot& answer) {
   const BalancedHistory& history = trace.history;
@@ -40,8 +40,8 @@ void find_arrival(const Trace& trace, const BalancedSet& set, const Vec2& place,
   }
 }
 
-// Separates robots that stay from those that come, the one in question first. A robot that comes to
-// another's place counts as staying.
+// Separates robots that stay from those that come, with the one at `place` first. A robot that
+// comes to another's place stays.
 void part_by_place(const std::vector<LiftingPoint>& before, const Vec2& place, BalancedSet& set) {
   for (const LiftingPoint& robot : set.robots)
     (has_robot(before, robot.position) ? set.kept : set.came).push_back(robot);

@@ -9,7 +9,7 @@
 namespace evenlift {
 namespace {
 
-// Whose choice a question at step k is about.
+// The team that a question at step k concerns.
 std::uint32_t team_at(const Trace& trace, std::uint32_t k) {
   const Step step = trace.step(k);
   if (step.kind == StepKind::scores || step.kind == StepKind::team || step.kind == StepKind::base)
@@ -18,7 +18,7 @@ std::uint32_t team_at(const Trace& trace, std::uint32_t k) {
   return taken == 0 ? 0 : taken - 1;
 }
 
-// Its own edge, or the one that meets it at a vertex.
+// Also true if the point is at an end of the edge.
 bool lies_on(const Trace& trace, const LiftingPoint& point, std::uint32_t edge) {
   if (point.edge == edge) return true;
   const double near = near_distance(trace.polygon().diameter());

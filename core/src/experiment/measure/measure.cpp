@@ -105,8 +105,8 @@ std::vector<Measurement> measure_distributed(const Subject& subject,
   return rows;
 }
 
-// The smallest number of teams that passes the test, or the number of teams plus one if all fail.
-// If some teams pass, more teams also pass, so bisection finds the number.
+// The smallest number of teams that passes the test; one more than all if all together fail. Adding
+// teams never ends a pass, so bisection finds the number.
 std::size_t first_passing(const Subject& subject, const std::vector<LiftingPoint>& points,
                           Test test) {
   std::size_t fails = 0, passes = points.size() / 2 + 1;

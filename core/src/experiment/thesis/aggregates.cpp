@@ -13,7 +13,7 @@ namespace {
 // The values of one method and number of robots, in the order of the polygons.
 struct Column {
   std::vector<double> spread, load_max, max_share, coverage, closed, held_clear;
-  std::vector<double> form_closure, no_area;  // of the polygons on which it is possible
+  std::vector<double> form_closure, no_area;  // of polygons that can_close()
 };
 
 std::string optional_number(const std::optional<double>& value) {

@@ -8,8 +8,7 @@
 namespace evenlift::experiment {
 namespace {
 
-// Whether a spread is zero except for rounding: the loads of 100 kg differ by less than τ of their
-// mean.
+// Whether a spread is zero except for rounding: it is at most τ times the mean load.
 bool is_even(double spread, std::uint32_t robots) {
   return spread <= tau * experiment_weight / robots;
 }

@@ -5,7 +5,7 @@
 namespace evenlift::experiment::claims {
 namespace {
 
-// Form closure as this project decides it, and by the thesis's own test.
+// A test of form closure: ours, or the thesis's own.
 struct Reading {
   Closed closed;
   std::optional<double> Aggregate::*rate;
@@ -30,8 +30,8 @@ std::string lost_in_words(const Lost& lost) {
              {lost.steps.yes, lost.steps.of, listed(numbers)});
 }
 
-// The numbers of robots from 4 to 12 for which no method of teams passes the test on more polygons
-// than equal angles.
+// The numbers of robots from 4 to 12 with which no method of teams has a higher rate than equal
+// angles.
 std::string distributed_leads(const Rows& rows, const Reading& reading) {
   std::string text;
   for (std::uint32_t robots = 4; robots <= 12; robots += 2) {

@@ -43,7 +43,7 @@ void add_spreads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t rob
   }
 }
 
-// The thesis adds half the mean difference to the mean load, and subtracts it.
+// The thesis adds half the mean spread to the mean load, and subtracts it.
 template <std::size_t n>
 void add_ranges(std::vector<Claim>& claims, const Rows& rows, std::uint32_t robots,
                 const Stated (&stated)[n]) {

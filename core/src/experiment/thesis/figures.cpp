@@ -34,7 +34,7 @@ constexpr Plan plans[] = {
     {"5.11", "Polygons in form closure", "%", "form_closure_mean", pick_closure, closure_sentence},
 };
 
-// The greatest number of robots in the charts: in teams of two, and balanced robots.
+// The greatest numbers of robots in the charts: in teams of two, and balanced.
 struct Shown {
   std::uint32_t in_teams = 0, balanced = 0;
 

@@ -6,7 +6,7 @@ namespace evenlift::experiment {
 
 namespace {
 
-// Turns sets with figures into figures with sets.
+// Sorts the figures of all sets by figure, then by set.
 std::vector<Figure> by_figure(std::vector<std::vector<Figure>> sets) {
   std::vector<Figure> figures;
   for (std::size_t i = 0; !sets.empty() && i < sets.front().size(); ++i)

@@ -1,4 +1,3 @@
-// The measurements of one polygon against the number of robots.
 #include <algorithm>
 
 #include "evenlift/experiment/figures.h"
@@ -11,7 +10,7 @@ namespace {
 
 using Value = double Measurement::*;
 
-// The most robots in teams of two, or of balanced robots if there are no teams.
+// The greatest number of robots in teams of two, or of balanced robots if there are no teams.
 std::uint32_t most_robots(const PolygonResult& result) {
   std::uint32_t in_teams = 0, balanced = 0;
   for (const Measurement& m : result.measurements) {
@@ -51,8 +50,8 @@ std::string first_closed(const PolygonResult& result, Method method) {
   return say("{how} with none", {by(method)});
 }
 
-// Equal angles and balanced robots are placed independently for each number, so form closure may be
-// lost again. `sentence` has a place for the numbers.
+// At equal angles and in balance, each number of robots has its own placement, so form closure may
+// be lost again. `sentence` has a place for the numbers.
 std::string lost_again(const PolygonResult& result, Method method, const char* sentence) {
   std::vector<std::string> numbers;
   const Measurement* before = nullptr;

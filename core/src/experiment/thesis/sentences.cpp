@@ -56,7 +56,7 @@ std::string deviations(const Rows& rows, std::uint32_t most_robots, Pick pick, W
        least->robots});
 }
 
-// The coverage of the greatest measured number of balanced robots, if it is below `robots`.
+// The coverage by the most balanced robots measured, if these are fewer than `robots`.
 std::string fewer_in_balance(const Rows& rows, std::uint32_t robots) {
   const Aggregate* most = nullptr;
   for (const Aggregate& a : rows)
@@ -74,7 +74,6 @@ std::string lead_in_words(double lead, Method method) {
 
 }  // namespace
 
-// U+00A0 is between a value and its unit.
 std::string in_unit(double value, const std::string& unit) {
   return fixed(value, 2) + "\u00A0" + unit;
 }

@@ -114,8 +114,8 @@ void DrawingReader::take(const DxfGroup& group) {
   }
 }
 
-// A colour below 0 means that a layer is off, the bit 1 that it is frozen, and the bits 4 and 8
-// that a block's content is another file.
+// A colour below 0 means that a layer is off; bit 1, that it is frozen; bit 4 or 8, that a block's
+// content is in another file.
 void DrawingReader::end_item() {
   if (item_.type.empty()) return;
   const std::string name = in_lower_case(item_.text_of(2));

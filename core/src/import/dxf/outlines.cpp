@@ -13,7 +13,7 @@ namespace {
 constexpr Affine behind{-1, 0, 0, 1, 0, 0};
 constexpr DxfName mesh{"mesh", "meshes"};
 
-// For flat objects, which may be seen from behind.
+// Mirrors a flat object that is seen from behind.
 Outline placed(DxfEntity& entity, Outline outline) {
   return entity.seen_from_behind() ? transformed(outline, behind) : std::move(outline);
 }
@@ -46,8 +46,8 @@ DxfDrawn lightweight_polyline(DxfEntity& entity, double) {
   return drawn;
 }
 
-// A polyline with a fitted spline lists the corners of its frame, with the bit 16, before the
-// curve's vertices, with the bit 8.
+// A polyline with a fitted spline lists its frame's corners (bit 16) before the curve's vertices
+// (bit 8).
 void drop_spline_frame(std::vector<DxfVertex>& vertices) {
   const auto has = [](int bit) {
     return [bit](const DxfVertex& vertex) { return (vertex.flags & bit) != 0; };
@@ -82,8 +82,8 @@ DxfDrawn circle(DxfEntity& entity, double) {
           "circle"};
 }
 
-// The angle from one direction counter-clockwise to another, in (0, whole]; `whole` is the whole
-// turn in the unit of the angles. Ends that are rounded may lie a little beyond a whole turn.
+// The angle counter-clockwise from one direction to another, in (0, whole], where `whole` is a full
+// turn. A little more than a full turn, because of rounding, counts as one.
 double angle_from_to(double from, double to, double whole, double near) {
   const double angle = std::fmod(to - from, whole);
   if (angle <= 0) return angle + whole;
@@ -105,12 +105,12 @@ DxfDrawn arc(DxfEntity& entity, double same_point) {
   return {placed(entity, std::move(outline))};
 }
 
-// Parameters are in radians. Ends a whole turn apart give a closed ellipse.
+// Parameters are in radians.
 DxfDrawn ellipse(DxfEntity& entity, double same_point) {
   const Vec2 centre = entity.point_of(10), major = entity.point_of(11);
   const double ratio = entity.number_of(40, 1), from = entity.number_of(41, 0),
                to = entity.number_of(42, 2 * pi);
-  // An ellipse lies in the world's plane. From behind, its minor axis points the other way.
+  // An ellipse has world coordinates. If seen from behind, its minor axis points the other way.
   const Vec2 minor = (entity.seen_from_behind() ? -ratio : ratio) * left_normal(major);
   const Affine frame{major.x(), major.y(), minor.x(), minor.y(), centre.x(), centre.y()};
   const double angle = angle_from_to(from, to, 2 * pi, same_point);

@@ -58,8 +58,8 @@ void repeat_first_points(Spline& spline) {
   if (weighted) repeat_first(spline.weights, spline.degree);
 }
 
-// Programs write a curve's knots in three ways: as the formula needs them; without the first and
-// last, which it does not use; or, for a closed curve, without repeating control points.
+// Some programs omit the first and last knots, which the formula does not use. For closed curves,
+// some do not repeat the first control points.
 void complete(Spline& spline, bool closed) {
   const std::size_t points = spline.control.size(), degree = spline.degree;
   std::vector<double>& knots = spline.knots;
@@ -71,7 +71,7 @@ void complete(Spline& spline, bool closed) {
   }
 }
 
-// Whether degree + 1 knots are equal at each end, and those between are even.
+// Whether degree + 1 knots are equal at each end, and those between are evenly spaced.
 bool has_even_clamped_knots(const Spline& spline) {
   const std::vector<double>& knots = spline.knots;
   const std::size_t degree = spline.degree, points = spline.control.size();
@@ -85,8 +85,8 @@ bool has_even_clamped_knots(const Spline& spline) {
   return true;
 }
 
-// Some versions of LibreCAD write closed curves with the knots of open ones. LibreCAD draws them
-// without ends: the control points go around, and the knots are even.
+// Some versions of LibreCAD write closed curves with the knots of open ones, but LibreCAD draws
+// them as closed, with evenly spaced knots.
 void make_periodic(Spline& spline) {
   repeat_first_points(spline);
   spline.knots.resize(spline.control.size() + spline.degree + 1);

@@ -17,7 +17,7 @@ namespace {
 // Ends closer than this part of the drawing's larger side differ only by rounding.
 constexpr double rounding = 1e-9;
 
-// Sets of nodes that become one; the least node names its set.
+// Merges nodes into sets; the least node names its set.
 class Sets {
  public:
   explicit Sets(std::size_t count) : parent_(count) {
@@ -74,9 +74,9 @@ class Drawing {
   std::vector<std::size_t> chosen_;
   double side_;
   std::vector<Atom> atoms_;
-  std::vector<std::size_t> from_, to_;  // of each atom's ends
-  Points places_;                       // different ones, by x, then y
-  std::vector<std::vector<std::pair<double, std::size_t>>> divided_;  // by atom: where, and place
+  std::vector<std::size_t> from_, to_;  // by atom: the places of its ends
+  Points places_;                       // distinct, by x, then y
+  std::vector<std::vector<std::pair<double, std::size_t>>> divided_;  // by atom: `along`, `place`
   Sets sets_;
   std::vector<Face> faces_;
   std::vector<GraphEdge> edges_;
@@ -129,7 +129,7 @@ void Drawing::number_places() {
     });
 }
 
-// Divides straight lines at those of the places that are on them.
+// Divides straight lines at the given places that are on them.
 void Drawing::divide_lines(double near, const std::vector<std::size_t>& number) {
   if (number.empty()) return;
   Points some;
@@ -183,7 +183,7 @@ std::vector<GraphEdge> Drawing::edges() {
     std::size_t from = sets_.of(from_[a]);
     const auto add = [&](std::size_t to, CurvePiece curve) {
       to = sets_.of(to);
-      // A line of no length is nothing, but a curve may return to its start.
+      // A line without length is dropped, but a curve may return to its start.
       if (from == to && curve.kind == CurvePiece::Kind::line) return;
       curve.end = places_[to];
       all.push_back({from, to, curve, ranks[a], atom.piece});
@@ -217,7 +217,7 @@ std::vector<std::size_t> Drawing::open_ends() {
   return open;
 }
 
-// The other end of each end's line, since a line shorter than `near` must not vanish.
+// For each end, the other end of its line: joining both would make a short line vanish.
 std::vector<std::size_t> Drawing::other_ends() const {
   std::vector<std::size_t> other(places_.size(), places_.size());
   for (const GraphEdge& edge : edges_) {
@@ -228,8 +228,8 @@ std::vector<std::size_t> Drawing::other_ends() const {
   return other;
 }
 
-// Within a safe distance, an end that was open at first joins all that is near, so that lines drawn
-// several times coincide, and divides a line that it lies on.
+// Within a safe distance, an end that was open at first joins all places near it, so that lines
+// drawn several times coincide.
 void Drawing::join_loose_ends(double near) {
   const std::vector<std::size_t> other = other_ends();
   const PointGrid grid(places_, near);
@@ -247,8 +247,7 @@ void Drawing::join_loose_ends(double near) {
   divide_lines(near, loose_);
 }
 
-// Joins open ends, the nearest first, into one point, or by a straight line if farther apart than
-// usual.
+// Joins pairs of open ends, the nearest first.
 void Drawing::join_pairs_of_open_ends(double near) {
   const std::vector<std::size_t> open = open_ends(), other = other_ends();
   Points at;
@@ -331,7 +330,7 @@ std::vector<std::size_t> Drawing::open() const {
   std::vector<char> used(pieces_.size());
   for (const Face& face : faces_)
     for (const HalfEdge& half : face.boundary) used[edges_[half.edge].piece] = 1;
-  // A piece with nothing left lies on another.
+  // A piece without edges left lies on another.
   std::vector<char> left(pieces_.size());
   for (const GraphEdge& edge : edges_) left[edge.piece] = 1;
   std::vector<std::size_t> open;
@@ -356,7 +355,7 @@ Points ends_of(const std::vector<DrawnPiece>& pieces, const std::vector<std::siz
   return ends;
 }
 
-// The open pieces whose ends meet no other. `all` are the ends of all pieces.
+// `all` contains the ends of all pieces, two for each.
 std::vector<std::size_t> alone(const Points& all, const std::vector<std::size_t>& open,
                                double near) {
   const PointGrid grid(all, near);

@@ -11,7 +11,7 @@
 namespace evenlift {
 namespace {
 
-// Counter-clockwise from the least vertex: repeated outlines become equal.
+// Counter-clockwise from the least vertex, so that repeated outlines are equal.
 Points in_order(Points points) {
   if (signed_area(points) < 0) std::reverse(points.begin(), points.end());
   std::rotate(points.begin(), std::min_element(points.begin(), points.end(), is_before),
@@ -19,7 +19,7 @@ Points in_order(Points points) {
   return points;
 }
 
-// What an outline is to those inside it. Of outlines at the same place the shape is the nearer one.
+// An outline's role for those inside it. A shape sorts after an equal hole, so it is nearer.
 enum class Role : std::uint8_t { hole, shape, line };
 
 struct OutlineInOrder {
@@ -54,8 +54,8 @@ bool is_on_boundary(const OutlineInOrder& outline, const Vec2& p) {
   return false;
 }
 
-// Whether the inner outline lies in the outer one, and may touch it only if `perhaps`. Looks at
-// some vertices of long outlines.
+// Whether the inner outline lies in the outer one, which it may touch only if `touching` is
+// `perhaps`.
 enum class Touching : std::uint8_t { no, perhaps };
 bool contains(const OutlineInOrder& outer, const OutlineInOrder& inner, Touching touching) {
   if ((inner.box.low.array() < outer.box.low.array()).any() ||
@@ -81,7 +81,7 @@ bool contains(const OutlineInOrder& outer, const OutlineInOrder& inner, Touching
   return some_inside;
 }
 
-// The smallest outline around each, the last of those before it.
+// The smallest outline around each: the last of those before it that contain it.
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 std::vector<std::size_t> outlines_around(const std::vector<OutlineInOrder>& sorted,
                                          Touching touching) {
@@ -107,7 +107,7 @@ std::vector<OutlineInOrder> all_in_order(const std::vector<ClosedOutline>& outli
   return all;
 }
 
-// A shape in a hole of the same form is no repetition, nor is one with other holes.
+// A shape of the same form as a hole is not a repetition, nor is one with different holes.
 bool repeats(const OutlineInOrder& first, const OutlineInOrder& second,
              const std::vector<ClosedOutline>& outlines) {
   if (first.key != second.key || second.role == Role::hole) return false;
@@ -129,7 +129,7 @@ std::vector<OutlineWithHoles> filled_shapes(const std::vector<const Points*>& ri
   const std::vector<std::size_t> around = outlines_around(sorted, Touching::perhaps);
   std::vector<OutlineWithHoles> shapes;
   std::vector<int> winding(sorted.size());              // just inside each ring
-  std::vector<std::size_t> shape(sorted.size(), none);  // filled there
+  std::vector<std::size_t> shape(sorted.size(), none);  // the shape filled there
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const std::size_t number = sorted[i].number, outer = around[i];
     const int outside = outer == none ? 0 : winding[outer];
@@ -154,7 +154,7 @@ Nesting nest(const std::vector<ClosedOutline>& outlines) {
       kept.push_back(std::move(outline));
   }
   const std::vector<std::size_t> around = outlines_around(kept, Touching::no);
-  std::vector<std::size_t> shape(kept.size(), none);  // of which the outline is the boundary
+  std::vector<std::size_t> shape(kept.size(), none);  // that the outline bounds
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (kept[i].role == Role::hole) continue;
     const bool in_shape = around[i] != none && shape[around[i]] != none;

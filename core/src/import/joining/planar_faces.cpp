@@ -13,7 +13,7 @@ namespace {
 
 using Kind = CurvePiece::Kind;
 
-// What two edges share if they are the same, seen from the lesser end.
+// An edge as seen from its lesser end, so that repeated edges look alike.
 struct Look {
   std::size_t low, high;
   Kind kind;
@@ -74,7 +74,7 @@ class Graph {
     return h % 2 == 0 ? edge.from : edge.to;
   }
 
-  // Removes edges with an end that no other edge shares, until there are none.
+  // Repeatedly removes edges with an end that no other edge shares.
   void prune() {
     std::vector<std::uint32_t> degree(nodes_.size());
     std::vector<std::vector<std::size_t>> at(nodes_.size());
@@ -100,7 +100,7 @@ class Graph {
     }
   }
 
-  // Where a half-edge leaves its node, and how far it bends to the left.
+  // The direction of a half-edge at its node, and its bend to the left.
   std::pair<double, double> direction(std::size_t h) const {
     const GraphEdge& edge = edges_[h / 2];
     const CurvePiece& curve = edge.curve;
@@ -135,7 +135,7 @@ class Graph {
       }
     }
     std::sort(around.begin(), around.end());
-    // After a half-edge, the boundary goes on by the next one clockwise.
+    // A boundary that arrives at a node leaves it by the next half-edge clockwise.
     std::vector<std::size_t> next(2 * edges_.size());
     for (std::size_t first = 0; first < around.size();) {
       std::size_t last = first;
@@ -161,13 +161,13 @@ class Graph {
     return walks;
   }
 
-  // An edge with the same face on both sides alone joins two parts.
+  // An edge with the same face on both sides is the only link between two parts.
   void drop_bridges() {
     for (std::size_t e = 0; e < edges_.size(); ++e)
       if (walk_of_[half(e, false)] == walk_of_[half(e, true)]) alive_[e] = 0;
   }
 
-  // A boundary that returns to a node in between is several cycles.
+  // A boundary that passes a node twice is several cycles.
   std::vector<std::vector<std::size_t>> simple_cycles(const std::vector<std::size_t>& walk) {
     std::vector<std::vector<std::size_t>> cycles;
     std::vector<std::size_t> path;

@@ -8,7 +8,7 @@
 namespace evenlift {
 namespace {
 
-// WGS 84: half the greater axis in metres, and the square of the eccentricity.
+// WGS 84; the half axis is in metres.
 constexpr double half_axis = 6378137;
 constexpr double flattening = 1 / 298.257223563;
 constexpr double eccentricity_squared = flattening * (2 - flattening);

@@ -1,5 +1,5 @@
-// SVG 1.1 and the parts of 2 that programs write: shapes with an area, with y upwards. pugixml
-// reads the XML. It expands only character references and XML's own five entities, and loads
+// Reads SVG 1.1, and the parts of SVG 2 that programs write: shapes with an area, with y upwards.
+// pugixml reads the XML; it expands only character references and XML's five entities, and loads
 // nothing.
 #include <algorithm>
 #include <cmath>
@@ -52,7 +52,7 @@ InputError SvgReader::error_at(const pugi::xml_node& node, ErrorCode code,
 }
 
 void SvgReader::problem(const pugi::xml_node& node, const std::string& what) {
-  // Finding the line number costs as much as the text before it.
+  // Only the first problem has a place: finding a line number reads all the text before it.
   InputError error = has_problem_ ? InputError{ErrorCode::bad_syntax, what, {}}
                                   : error_at(node, ErrorCode::bad_syntax, what);
   has_problem_ = true;
@@ -109,7 +109,6 @@ std::optional<InputError> SvgReader::walk(const pugi::xml_node& root, const SvgP
   return std::nullopt;
 }
 
-// For another walk, if no shape is seen.
 void SvgReader::start_again() {
   gathering_ = Gathering(options_);
   pieces_.clear();

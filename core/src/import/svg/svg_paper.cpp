@@ -42,7 +42,7 @@ Vec2 scale_of(const Aspect& aspect, const Vec2& box, const Vec2& size) {
   return {both, both};
 }
 
-// In px; nullopt if it is no length above 0, or in per cent.
+// In px; nullopt if invalid, in per cent or not above 0.
 std::optional<double> side_in_pixels(std::string_view text) {
   const auto length = svg_length(text);
   const auto* pixels = std::get_if<std::optional<double>>(&length);
@@ -54,7 +54,7 @@ struct PaperUnit {
   std::string_view name;
   LengthUnit unit;
 };
-// Pixels are no size on paper.
+// Pixels are not a size on paper.
 constexpr PaperUnit paper_units[] = {{"mm", LengthUnit::mm}, {"cm", LengthUnit::cm},
                                      {"in", LengthUnit::in}, {"pt", LengthUnit::mm},
                                      {"pc", LengthUnit::mm}, {"q", LengthUnit::mm}};

@@ -8,10 +8,10 @@
 namespace evenlift {
 namespace {
 
-// A curve below this part of its shape that returns to its beginning is no intended loop.
+// A loop below this share of its shape is not intended.
 constexpr double hair = 1.0 / 200;
-// A curved part of a path below this part of the path is a speck: half the default tolerance, which
-// is at most a thousandth.
+// A curved part of a path is a speck if it is smaller than this share of the path: half of the
+// greatest default tolerance.
 constexpr double speck = 1.0 / 2000;
 // A hair has few pieces; a full turn has four or five.
 constexpr std::size_t most_pieces_of_a_hair = 8;
@@ -31,8 +31,8 @@ bool stays_near(const CurvePiece& piece, const Vec2& start, double reach) {
          (piece.kind != Kind::cubic || is_near(piece.second, start, reach));
 }
 
-// The end of the hair that begins at `first`, else `first`. Curves of no length are no hair: an arc
-// of a half turn may end with one.
+// The end of the hair that begins at `first`, else `first`. A curve without length is not a hair: a
+// half-turn arc may end with one.
 std::size_t end_of_hair(const Outline& outline, std::size_t first, const Vec2& start, double reach,
                         double meet) {
   std::size_t end = first;
@@ -99,7 +99,7 @@ std::string_view own_name(const pugi::xml_node& node) {
   return value_of(node, "id");
 }
 
-// Of the copy, else the element, else the layer.
+// The name of the copy, else of the element, else of the layer.
 std::string SvgReader::called(const pugi::xml_node& node, const Context& context) const {
   std::string_view name = context.name_of_copy;
   if (name.empty()) name = own_name(node);
@@ -208,7 +208,7 @@ void SvgReader::rectangle(const pugi::xml_node& node, const Context& context,
   const double left = x->value_or(0), bottom = y->value_or(0), w = width->value_or(0),
                h = height->value_or(0);
   if (!(w > 0) || !(h > 0)) return;
-  // A missing radius is the other one.
+  // A missing radius equals the other one.
   double a = std::min(rx->value_or(ry->value_or(0)), w / 2);
   double b = std::min(ry->value_or(rx->value_or(0)), h / 2);
   if (!(a > 0) || !(b > 0)) a = b = 0;
@@ -238,8 +238,8 @@ void SvgReader::ellipse(const pugi::xml_node& node, const Context& context,
       circle ? "circle" : "ellipse");
 }
 
-// Whether a path with only a stroke repeats the one before, which has only a fill: LibreOffice
-// writes shapes so.
+// Whether a path with only a stroke repeats the preceding path, which has only a fill, as
+// LibreOffice writes shapes.
 bool SvgReader::is_stroke_of_filled(const pugi::xml_node& node, const Context& context) {
   const std::string_view d = value_of(node, "d");
   const bool strokes = context.look.is_stroked() && !context.look.is_filled();

@@ -134,7 +134,6 @@ bool is_name(std::string_view text) {
   });
 }
 
-// Sheets for paper or media other than screens do not count.
 bool is_for_screens(std::string_view media) {
   media = without_space(media);
   return media.empty() || same_word(media, "all") || same_word(media, "screen");
@@ -187,7 +186,6 @@ SvgLook inherited(SvgLook look, const SvgDeclared& declared) {
   return look;
 }
 
-// The strongest declaration of each property wins.
 class SvgStyles::Cascade {
  public:
   void take(SvgProperty property, std::string_view value, bool important, std::uint32_t specificity,
@@ -221,7 +219,7 @@ bool SvgStyles::read(const pugi::xml_node& root) {
   text_ = std::move(finder.text);
   if (!read_rules(text_)) return false;
 
-  // Of the same selector and property, the winning declaration comes first.
+  // Of declarations with the same selector and property, the winning one comes first.
   std::sort(declarations_.begin(), declarations_.end(),
             [](const Declaration& a, const Declaration& b) {
               return std::tie(a.selector, a.property, b.important, b.order) <
@@ -267,7 +265,7 @@ std::optional<SvgStyles::Selector> SvgStyles::simple_selector(std::string_view t
 
 bool SvgStyles::read_rule(std::string_view selectors, std::string_view body) {
   if (!body.empty() && body.back() == '}') body.remove_suffix(1);
-  // At most one value for each property, before the selectors of the list repeat them.
+  // Keeps one value for each property before the list of selectors multiplies them.
   std::array<StyleValue, svg_property_count> values{};
   each_declaration(body, [&](const StyleValue& value) {
     StyleValue& kept = values[static_cast<std::size_t>(value.property->property)];

@@ -8,7 +8,7 @@
 namespace evenlift {
 namespace {
 
-// Of nested elements; the reader recurses to this depth.
+// The depth of nested elements to which the reader recurses.
 constexpr int max_nesting = 256;
 
 template <std::size_t size>
@@ -16,7 +16,7 @@ bool is_one_of(std::string_view name, const std::string_view (&names)[size]) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-// Not drawn in their own place.
+// Not drawn in place.
 constexpr std::string_view unseen[] = {
     "defs",  "clipPath",       "mask", "pattern", "marker", "symbol",         "style", "metadata",
     "title", "linearGradient", "desc", "script",  "filter", "radialGradient", "font",  "namedview"};
@@ -32,7 +32,7 @@ constexpr Other others[] = {{"text", "text", "texts", true},
                             {"image", "picture", "pictures", false},
                             {"foreignObject", "foreign object", "foreign objects", false}};
 
-// They move a shape and are not read.
+// Styles that move a shape and are not supported.
 struct Mover {
   SvgProperty property;
   const char* name;
@@ -43,7 +43,7 @@ constexpr Mover movers[] = {{SvgProperty::translate, "translate"},
 
 Affine moved(double x, double y) { return {1, 0, 0, 1, x, y}; }
 
-// Programs put first into a <switch> what only they can read, then the same for others.
+// In a <switch>, programs put first what only they can read, then a version for others.
 bool may_be_chosen(const pugi::xml_node& node) {
   if (local_name(node) == "foreignObject" || !value_of(node, "requiredExtensions").empty())
     return false;
@@ -51,7 +51,7 @@ bool may_be_chosen(const pugi::xml_node& node) {
   return !languages || std::string_view(languages.value()).substr(0, 2) == "en";
 }
 
-// What is after # in the reference; nullopt if it is to another file.
+// The id after # in the reference; nullopt for a reference to another file.
 std::optional<std::string_view> id_of_original(const pugi::xml_node& node) {
   std::string_view href;
   for (const pugi::xml_attribute attribute : node.attributes()) {
@@ -210,7 +210,7 @@ bool SvgReader::has_room_to_copy(const pugi::xml_node& node) {
   return copied_bytes_ <= most_copied_bytes;
 }
 
-// A null node if there is no original, and the copy is left out.
+// Returns a null node, and leaves out the copy, if there is no original.
 pugi::xml_node SvgReader::original_of(const pugi::xml_node& node) {
   const std::optional<std::string_view> id = id_of_original(node);
   if (!id) {
@@ -282,7 +282,7 @@ std::optional<InputError> SvgReader::nested(const pugi::xml_node& node, const pu
   if (!x || !y || !width || !height) return std::nullopt;
   inside.matrix = inside.matrix * moved(x->value_or(0), y->value_or(0));
   const std::optional<SvgViewBox> box = svg_view_box(value_of(node, "viewBox"));
-  // A missing side is that of the box around.
+  // A missing side is that of the surrounding viewport.
   SvgViewport size{*width ? *width : inside.viewport.width,
                    *height ? *height : inside.viewport.height};
   if (box && !size.width) size.width = box->size.x();

@@ -56,8 +56,8 @@ std::optional<double> unit_size(std::string_view name, const NamedUnit (&units)[
   return std::nullopt;
 }
 
-// One letter of `arguments` for the kind of each: a length, an angle, a ratio or a number. At least
-// `fewest` must be there.
+// Each letter of `arguments` is the kind of one: a length, an angle, a ratio or a number. At least
+// `fewest` are required.
 struct TransformFunction {
   std::string_view name, arguments;
   std::size_t fewest;
@@ -100,7 +100,6 @@ struct Argument {
   std::string_view unit;
 };
 
-// Numbers with their units; nothing for any other text.
 std::optional<std::vector<Argument>> arguments_of(std::string_view text, std::size_t most) {
   std::vector<Argument> arguments;
   while (!(text = svg_trimmed(text)).empty()) {
@@ -140,7 +139,6 @@ std::optional<Affine> transform_of(std::string_view name, const std::vector<Argu
   return std::nullopt;
 }
 
-// A word or length.
 SvgResult<double> origin_along(std::string_view word, std::optional<double> whole) {
   constexpr std::pair<std::string_view, double> shares[] = {
       {"left", 0}, {"top", 0}, {"center", 0.5}, {"right", 1}, {"bottom", 1}};
@@ -182,7 +180,7 @@ class PathReader {
     return false;
   }
 
-  // A path with more parts has more vertices than allowed.
+  // Allows twice max_vertices parts, since some, such as moves, add no vertex.
   bool has_room() {
     return ++parts_ <= 2 * max_vertices || fail("the path has more than 1048576 vertices");
   }
@@ -201,9 +199,9 @@ class PathReader {
   std::string_view text_;
   std::size_t at_ = 0;
   std::vector<SvgOutline> outlines_;
-  Vec2 position_ = Vec2::Zero(), origin_ = Vec2::Zero();  // of a command's coordinates
+  Vec2 position_ = Vec2::Zero(), origin_ = Vec2::Zero();  // origin_: of a command's coordinates
   bool open_ = false;                                     // an outline has begun
-  char last_ = 0;                                         // in lower case
+  char last_ = 0;                                         // the last command, in lower case
   Vec2 last_control_ = Vec2::Zero();
   std::size_t parts_ = 0;
   std::string problem_;
@@ -219,7 +217,7 @@ bool PathReader::number(double& value) {
   return true;
 }
 
-// The next number may follow this character immediately.
+// The next number may follow a flag immediately.
 bool PathReader::flag(bool& value) {
   skip_separators();
   if (at_ == text_.size() || (text_[at_] != '0' && text_[at_] != '1'))
@@ -255,7 +253,7 @@ bool PathReader::arc(const Vec2& from) {
   Vec2 h((turn.a * half.x() + turn.b * half.y()) / rx,
          (turn.c * half.x() + turn.d * half.y()) / ry);
   const double size = length(h);
-  if (size > 1) {  // too small to reach both ends, the ellipse grows
+  if (size > 1) {  // an ellipse too small to reach both ends grows
     rx *= size;
     ry *= size;
     h /= size;
@@ -324,7 +322,6 @@ bool PathReader::segment(char lower, const Vec2& from, Vec2& control) {
   }
 }
 
-// The letter is in lower case.
 bool PathReader::piece(char lower, bool relative) {
   if (!has_room()) return false;
   if (!open_) {  // after Z an outline begins at the start of the last one

@@ -45,7 +45,7 @@ const char* name(ErrorCode code) {
   return "";
 }
 
-// One or two vertices or edges, from 0, and their rings if not both are the outline.
+// One or two vertices or edges, from 0, and their rings unless both are on the outline.
 std::string place_json(const Place& place) {
   const std::string index = std::to_string(place.index), other = std::to_string(place.other);
   const bool two = place.other != 0 && place.other != place.index;

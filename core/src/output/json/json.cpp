@@ -83,7 +83,6 @@ std::string closure_json(const Closure& closure) {
       1);
 }
 
-// How far C may be off while no robot carries more than the limit.
 std::string com_radius_json(const ShownPlacement& of, const std::optional<ModelLoads>& models) {
   if (!models) return "null";
   const auto radius = com_radius_within(of, *models, capacities_of(of));
@@ -136,7 +135,7 @@ void add_moved(std::vector<json::Member>& members, const Moved& moved) {
   if (moved.any()) members.push_back({"moved", json::text(moved_text(moved))});
 }
 
-// Edges count from 1, with positions from 0 to 1.
+// Edges are numbered from 1; positions on them are from 0 to 1.
 std::string unusable_json(const Placement& placement) {
   std::vector<std::string> items;
   const Polygon& polygon = placement.polygon();
@@ -155,7 +154,6 @@ void add_stands(std::vector<json::Member>& members, const Placement& placement) 
   members.push_back({"unusable", unusable_json(placement)});
 }
 
-// The slope at which the object tips and, if asked for, where a further load may stand.
 void add_carrying(std::vector<json::Member>& members, const ShownPlacement& of) {
   const Carrying& carrying = of.shown.carrying;
   members.push_back({"tilt", json::tilt(tilt_of(of), 1)});
@@ -202,8 +200,8 @@ std::string requirements_json(const std::vector<Requirement>& requirements) {
   return json::long_array(items, 1);
 }
 
-// Settings that the results do not show, so that a program can open the result: the number of teams
-// if it is "max" or the robots are balanced, and the overlays; each only if it is not the default.
+// Settings that the results do not show, so that a program can open the result; each only if it is
+// not the default.
 void add_asked(std::vector<json::Member>& members, const Settings& settings,
                const Overlays& overlays) {
   const Settings usual;

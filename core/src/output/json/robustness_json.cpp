@@ -75,7 +75,7 @@ std::string tilt(const std::optional<Tilt>& tilt, int depth) {
                      depth);
 }
 
-// A falling object has no place for a load, but keeps the weight, so that the result can be opened.
+// If the object falls, a load has no place. The weight stays, so that the result can be opened.
 std::string extra(const std::optional<ExtraLoad>& extra, double weight, int depth) {
   const ExtraLoad known = extra.value_or(ExtraLoad{});
   const auto if_known = [&](const std::string& value) { return extra ? value : "null"; };

@@ -3,7 +3,6 @@
 namespace evenlift::json {
 namespace {
 
-// Settings that the method does not use are omitted.
 bool is_of_use(const SettingRow& row, const Settings& settings) {
   if (row.setting == Setting::goal)
     return swaps_teams(settings) || (settings.method == Method::balanced && settings.goal);

@@ -26,7 +26,7 @@ std::string_view name(PoseOrigin origin) { return origin == PoseOrigin::file ? "
 // Zero has no sign in a table or a message.
 double without_sign(double value) { return value == 0 ? 0 : value; }
 
-// At their stands, relative to the origin.
+// The robots at their stands, relative to `origin`.
 std::vector<PlacedRobot> robots_from(const Placement& placement, PoseOrigin origin) {
   std::vector<PlacedRobot> robots = placed_robots(placement);
   for (PlacedRobot& robot : robots) {
@@ -82,7 +82,7 @@ std::string as_json(const std::vector<PlacedRobot>& robots, bool carried, const 
 
 // --- The message of ROS 2
 
-// Some YAML readers require a point, and a sign in the exponent, of a floating-point number.
+// Some YAML readers require floating-point numbers to have a point, and a sign in the exponent.
 std::string yaml_number(double value) {
   std::string text = shortest(without_sign(value));
   const std::size_t exponent = text.find('e');
@@ -91,8 +91,8 @@ std::string yaml_number(double value) {
   return text;
 }
 
-// The z and w of the quaternion that turns x about z to the direction, w >= 0, by half-angle
-// formulas where they have no cancellation.
+// z and w >= 0 of the quaternion that turns the x axis about z to `direction`, by the half-angle
+// formula without cancellation.
 std::array<double, 2> half_turn(const Vec2& direction) {
   const double x = direction.x(), y = direction.y() + 0.0;  // straight back is a left turn
   if (x >= 0) {

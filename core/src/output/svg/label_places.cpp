@@ -43,7 +43,8 @@ bool touches(const Box& a, const Box& b) {
          b.low.y() <= a.high.y();
 }
 
-// Whether the boxes meet and the box has corners on both sides of the segment's line.
+// Whether the segment's bounds touch the box, which has corners on both sides of the segment's
+// line.
 bool meets(const Segment& s, const Box& box) {
   if (!touches(bounds(s), box)) return false;
   const Vec2 along = s.second - s.first;
@@ -61,8 +62,7 @@ bool meets(const Segment& s, const Box& box) {
 Box beside(const Box& owner, const Vec2& size, double distance, const Vec2& direction) {
   const Vec2 half = (owner.high - owner.low) / 2;
   const Vec2 middle = owner.low + half;
-  // Diagonally, the distance mostly follows an ellipse around owner and label: they are closer than
-  // the corners of their boxes allow.
+  // Diagonal places are mostly on an ellipse: touching corners would look too far apart.
   const Vec2 reach = half + size / 2 + Vec2(distance, distance);
   const double scale =
       1 / std::max(std::abs(direction.x()) / reach.x(), std::abs(direction.y()) / reach.y());

@@ -28,7 +28,7 @@ std::string escaped(std::string_view text) {
 }
 
 std::size_t character_count(std::string_view text) {
-  // Each character has one such byte.
+  // Continuation bytes begin no character.
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
   }));

@@ -17,7 +17,7 @@ std::size_t stride(std::size_t count, std::size_t most) {
   return count <= most ? 1 : (count - 1) / most + 1;
 }
 
-// Candidates of no team, in order.
+// Candidates of no team.
 void add_candidates(std::vector<Shape>& shapes, const Placement& placement, std::size_t most) {
   std::vector<bool> taken(placement.candidates.size(), false);
   for (const std::uint32_t i : placement.team_candidates) taken[i] = true;

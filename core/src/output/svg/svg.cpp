@@ -28,7 +28,7 @@ namespace evenlift {
 namespace svg {
 namespace {
 
-// Of readable loads, or names of cargo. The JSON contains all loads.
+// More loads or names would be unreadable. The JSON contains all loads.
 constexpr std::size_t most_labels = 150;
 
 // A smaller disc would be invisible.
@@ -152,7 +152,7 @@ class Drawing {
       case Role::cargo_lever:
         return lever(shape);
       case Role::own_centre:
-        // In front of the arrow, which may begin here.
+        // Drawn later, in front of arrows from here.
         if (is_on_paper(paper_(shape.points[0]))) own_centre_ = paper_(shape.points[0]);
         seen_.own_centre = own_centre_.has_value();
         break;

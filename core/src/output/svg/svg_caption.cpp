@@ -13,8 +13,8 @@
 namespace evenlift::svg {
 namespace {
 
-// "Method: area · 3 teams · minimum load ratio 0.8 · coverage 81 % · no form closure", also with
-// capacity and C uncertainty.
+// "Method: area · 3 teams · minimum load ratio 0.8 · coverage 81 % · no form closure", and
+// other given settings.
 std::string settings_line(const ShownPlacement& of) {
   const Placement& placement = of.placement;
   const Shown& shown = of.shown;

@@ -96,7 +96,7 @@ class FigureWords {
   std::uint32_t index_;
 };
 
-// With the texts for the {names}.
+// `blanks`: the texts for the {names}.
 struct FigureRow {
   FigureKind kind;
   std::string_view pattern;

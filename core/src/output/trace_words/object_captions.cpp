@@ -1,5 +1,5 @@
-// Captions of the outline and holes, the cargo, C, and the boundary that robots with a size can
-// use, with its formula.
+// Captions of the outline, holes, cargo and C; caption and formula of the boundary that robots with
+// a size can use.
 #include <cmath>
 #include <string>
 #include <utility>

@@ -1,4 +1,3 @@
-// The algorithm, one statement per line.
 #include "output/trace_words/pseudo_code.h"
 
 #include <algorithm>

@@ -26,7 +26,7 @@ std::string StepCaptions::range() const {
                   {counted_from_1(first), counted_from_1(last)})});
 }
 
-// Each moved team has its own candidate.
+// Each moved team takes one of `to`.
 std::string StepCaptions::moves_of_swap() const {
   const SwapDetail& swap = *detail_.swap;
   const std::string teams = numbers_from_1(swap.teams), to = numbers_from_1(swap.to);

@@ -269,8 +269,8 @@ std::string StepCaptions::ranking(const TeamScores& scores) const {
   return order.size() > most ? fill("{ranking}, and so on.", {text}) : text + ".";
 }
 
-// The value from which the i-th must look different: the nearest earlier one that differs, or for
-// the first the next.
+// The value from which the i-th must look different: the nearest earlier one that differs; for the
+// first, the next.
 double StepCaptions::neighbour(const TeamScores& scores, std::size_t i) {
   const auto value = [&](std::size_t j) { return scores.of_candidate[scores.ranking[j]].value; };
   for (std::size_t j = i; j-- > 0;)

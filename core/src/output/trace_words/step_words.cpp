@@ -130,7 +130,7 @@ std::string_view title(Chapter chapter) {
   return translated(titles[static_cast<std::size_t>(chapter)]);
 }
 
-// Looks up captions and formulas without a number.
+// `written` translates captions and formulas without a number.
 std::string caption(const Trace& trace, const StepDetail& detail) {
   return written((StepCaptions(trace, detail).*row_of(detail).caption)());
 }

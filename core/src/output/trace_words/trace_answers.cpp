@@ -23,7 +23,7 @@ const char* value_by(Rule rule) {
   return "";
 }
 
-// The merit of the candidate that wins by a rule, asked for and told.
+// Why a candidate wins by a rule, in a question and in an answer.
 struct Aim {
   const char *asked, *told;
 };
@@ -126,7 +126,7 @@ std::string why_no_candidate(const Trace& trace, const WhyNot& answer) {
   }
 }
 
-// Or why the candidate is the team.
+// Or why the candidate was chosen.
 std::string why_not_chosen(const Trace& trace, const WhyNot& answer) {
   switch (answer.why) {
     case Why::not_even:

@@ -144,7 +144,7 @@ Piece weight_text(const Trace& trace, double value, double largest) {
 Piece margin_text(double value) { return with_decimals(value, margin_decimals(value)); }
 
 std::string cargo_text(const Trace& trace, std::uint32_t item) {
-  // Does not look up the name, which is the user's.
+  // The name is the user's and is not translated.
   const std::string number_and_name[] = {written(counted_from_1(item)),
                                          trace.placement.settings.cargo[item].name};
   return number_and_name[1].empty() ? say_written("Cargo {item}", number_and_name, 1)

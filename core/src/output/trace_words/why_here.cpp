@@ -24,7 +24,7 @@ const char* first_team_is(const TeamScores& scores) {
              : "The first team takes the longest chord with two equal halves: the farther apart the robots stand, the wider the lifting base can become.";
 }
 
-// Over the next best chord, or the key that decided between them.
+// The lead over the next best chord, or the key that decided.
 std::string lead(const Trace& trace, const TeamScores& scores) {
   const std::uint32_t winner = scores.ranking[0], second = scores.ranking[1];
   const Candidate &a = trace.placement.candidates[winner], &b = trace.placement.candidates[second];

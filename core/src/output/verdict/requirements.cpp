@@ -49,7 +49,7 @@ Value within_capacity(const ShownPlacement& of) {
   return overloaded_robots(of, greatest).empty() ? 1 : 0;
 }
 
-// Whether any one robot may fail, level and under the given conditions.
+// Whether any one robot may fail, on level ground and under the given conditions.
 Value steady(const ShownPlacement& of) {
   if (!has_robots(of) || robustness(of.placement).failures_clear < 1) return false;
   const Disturbance disturbance = disturbance_of(of.shown);
@@ -75,7 +75,7 @@ Value tipping_angle(const ShownPlacement& of) {
   return tilt ? Value(tilt->degrees) : std::nullopt;
 }
 
-// What rounding may change in a value, as a part of this unit.
+// A value's unit, also of what rounding may change.
 enum class Unit : std::uint8_t { none, number, share, weight, length, degrees };
 
 struct Row {

@@ -19,8 +19,8 @@ std::string given_length(double length, const Units& units) {
   return with_length_unit(plain(length), units);
 }
 
-// "With C off by up to 20 mm, on a slope of 8 % and braked at 0.3 g, it tips." One of the latter
-// two must be given.
+// "With C off by up to 20 mm, on a slope of 8 % and braked at 0.3 g, it tips." A slope or an
+// acceleration must be given.
 std::string tips_under_these(const Shown& shown) {
   constexpr const char* sentences[2][3] = {
       {"On a slope of {slope} it tips.", "On level ground, braked at {acceleration}, it tips.",
@@ -37,7 +37,6 @@ std::string tips_under_these(const Shown& shown) {
   return say_written(sentences[shown.com_radius > 0 ? 1 : 0][when], values.data(), values.size());
 }
 
-// As an addition to a sentence, and as a clause.
 struct Circumstance {
   std::string as_addition, as_clause;
 };

@@ -43,7 +43,7 @@ std::string in_letters(std::size_t number) {
   return number < words.size() ? words[number] : std::to_string(number);
 }
 
-// After a failure, within the disturbance.
+// After a failure, disturbed or not.
 double greatest_after(const RestOfRobots& rest) {
   return std::max(rest.greatest_by_springs, rest.greatest_end);
 }

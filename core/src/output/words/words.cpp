@@ -40,7 +40,7 @@ std::string overload_in_words(const ShownPlacement& of, const std::vector<std::s
   const Placement& placement = of.placement;
   if (placement.teams.empty() || !placement.loads || !has_capacities(of)) return {};
   const bool has_own = has_own_capacities(of);
-  // `best` does not know different capacities.
+  // `best` ignores different capacities.
   if (has_own && model == LoadModel::best) return {};
   const std::string limit = limit_in_words(of);
   if (robots.empty()) return say("No robot carries more than {limit}.", {limit});
@@ -64,7 +64,7 @@ std::string overload_in_words(const ShownPlacement& of, const std::vector<std::s
          (are_all ? "" : ": " + robots_of(robots)) + ".";
 }
 
-// Whether more than a C uncertainty may change loads.
+// Whether anything but a C uncertainty may change loads.
 bool needs_level(const Shown& shown) {
   return disturbance_of(shown) != Disturbance{.reach = shown.com_radius};
 }
@@ -79,7 +79,7 @@ std::string need_in_words(const CapacityPlan& plan, const ShownPlacement& of, Lo
                          : needs_level(of.shown) ? "On level, even ground and with C known exactly"
                          : of.shown.com_radius > 0 ? "With C known exactly"
                                                    : nullptr;
-  // Balanced robots need only be enough for the weight (plan_capacity).
+  // For balanced robots, the plan does not check whether such a set exists (plan_capacity).
   const bool balanced = settings.method == Method::balanced;
   if (plan.possible)
     return say(balanced ? "{presumed}, it takes {robots}, with {load} each."
@@ -102,7 +102,6 @@ std::string need_in_words(const CapacityPlan& plan, const ShownPlacement& of, Lo
                   : say("Even all {number} robots that can be placed are too few.", {tried});
 }
 
-// The number of robots of which any one may fail.
 std::string need_if_one_fails(const FailurePlan& plan, const Units& units) {
   if (plan.possible)
     return say(
@@ -114,7 +113,6 @@ std::string need_if_one_fails(const FailurePlan& plan, const Units& units) {
              {count_of(plan.tried, "robot", "robots")});
 }
 
-// For a hold that relies on a contact near a corner.
 std::string near_corner_in_words(const ShownPlacement& of) {
   const Clearance& clearance = of.placement.closure.clearance;
   return say(
