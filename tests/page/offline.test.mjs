@@ -97,6 +97,7 @@ test("every file of the page is kept, as it was built and with the policy", asyn
   for (const name of [
     "index.html",
     "evenlift.wasm",
+    "evenlift_rest.wasm",
     "windows.js",
     "search_worker.js",
     "background_core.wasm",

@@ -185,9 +185,9 @@ test("embedded it shows the drawing and a link out, and no panel", async () => {
   await page.done();
 });
 
-test("what the first picture and all tools need is at most 720,000 bytes after compression", () => {
+test("what the first picture needs is at most 480,000 bytes after compression", () => {
   const { start } = sizes();
-  assert.ok(start <= 720000, `${start} bytes after gzip`);
+  assert.ok(start <= 480000, `${start} bytes after gzip`);
 });
 
 // --- Without WebGL 2: the still picture -----------------------------------------------------------------------------

@@ -4,8 +4,8 @@ import path from "node:path";
 import { gzipSync } from "node:zlib";
 import { pageFolder } from "./browser.mjs";
 
-// Loaded before the first frame: enough for drawing, placing and the lesson. Windows, their lists and experiments are
-// loaded on demand.
+// Loaded before the first picture. The rest of the program follows it; windows, their lists and experiments are loaded
+// on demand.
 const atStart = ["index.html", "icon.svg", "page.css", "page.js", "evenlift.js", "evenlift.wasm"];
 
 export function sizes() {

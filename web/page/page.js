@@ -9,6 +9,7 @@ import { Publisher } from "./publisher.js";
 import { beginStart, prepareRestart, whyStartedAnew, workGoesOn } from "./recovery.js";
 import { connectScreen } from "./screen.js";
 import { lasting, read } from "./storage.js";
+import { createProgram, NotLoaded } from "./two_modules.js";
 import { underWay } from "./under_way.js";
 
 const cover = document.getElementById("cover");
@@ -24,6 +25,10 @@ const whereItRuns =
   "The link in the address bar holds everything: there it opens the same document.";
 
 const cannotRun = ["The page cannot run here.", whereItRuns];
+const isIncomplete = [
+  "The page could not be loaded completely.",
+  "Nothing that was drawn is lost. Reload the page as soon as there is a network.",
+];
 const hasStopped = ["The page has stopped.", "Nothing that was drawn is lost. Reload the page to continue."];
 
 function showProblem(reason, [heading, advice] = cannotRun) {
@@ -70,11 +75,14 @@ function refused(problem) {
 }
 
 async function load(bindings) {
-  const { default: createModule } = await import("./evenlift.js");
-  const program = new Program(await createModule({ canvas: document.getElementById("canvas"), bindings }));
+  const { module, loadRest } = await createProgram({ canvas: document.getElementById("canvas"), bindings });
+  const program = new Program(module);
   program.speak(translations());
   bindings.attach(program);
-  return program;
+  const whole = () => underWay(loadRest());
+  // All of a page that the browser keeps is here at once, and a call that waits for the rest would ask the network.
+  if (navigator.serviceWorker?.controller) await whole();
+  return { program, whole };
 }
 
 // Loaded after the first frame, which does not need the controls in HTML. Returns the function to call after each
@@ -160,8 +168,9 @@ async function start() {
     opening = "";
   });
   let opening = "";
-  const program = await load(bindings);
+  const { program, whole } = await load(bindings);
   if (!program.number("page_draws")) {
+    await whole();
     afterPicture = await startStill(program, publisher, bindings);
     return;
   }
@@ -197,6 +206,7 @@ async function start() {
     (join) => bindings.beginLesson(join),
   );
   // If the address's document is open, its lesson continues at the link's step.
+  if (lesson) await whole();
   if (started.lesson === lesson) await bindings.beginLesson(fragment !== "" && !problem && !started.problem);
   else publisher.nameInAddress();
   const message = started.problem || (problem && refusedAtStart(problem, started)) || (embed ? "" : whyStartedAnew());
@@ -204,6 +214,7 @@ async function start() {
   await Promise.race([firstPicture, stopped]);
   started.succeeded?.();
   if (started.fragment && !problem) publisher.adopt(fragment);
+  await Promise.race([whole(), stopped]);
   underWay(loadMirror(program, field, publisher)).then(
     (drawn) => {
       afterPicture = drawn;
@@ -237,6 +248,13 @@ function startAnew(error, { opening, work }) {
 }
 
 function fail(error) {
+  const missing = [error, error.cause].find((reason) => reason instanceof NotLoaded);
+  if (missing) {
+    console.error(missing);
+    started?.succeeded?.(); // its document did not stop the page
+    showProblem(missing.message, isIncomplete);
+    return api.fail(missing);
+  }
   if (started?.failed?.()) {
     console.error(error);
     return location.reload(); // without the text that was being opened
