@@ -14,23 +14,27 @@ line("with what is loaded when it is asked for", `${all} bytes`);
 
 const browser = await startBrowser(["--js-flags="], { drawn: true });
 
-const starts = [];
+// The first picture, and the whole program with its controls.
+const starts = { picture: [], ready: [] };
 for (let i = 0; i < 7; ++i) {
   const page = await browser.open({
     script: () => {
-      const known = setInterval(() => {
-        if (!globalThis.evenlift) return;
-        clearInterval(known);
+      const waiting = setInterval(() => {
+        if (!globalThis.evenlift?.frames) return;
+        clearInterval(waiting);
+        globalThis.pictureAt = performance.now();
         evenlift.ready.then(() => {
           globalThis.readyAt = performance.now();
         });
       }, 1);
     },
   });
-  starts.push(await page.evaluate(() => globalThis.readyAt));
+  starts.picture.push(await page.evaluate(() => globalThis.pictureAt));
+  starts.ready.push(await page.evaluate(() => globalThis.readyAt));
   await page.done();
 }
-line("first picture, fastest of 7", `${Math.min(...starts).toFixed(0)} ms`);
+line("first picture, fastest of 7", `${Math.min(...starts.picture).toFixed(0)} ms`);
+line("the whole page, fastest of 7", `${Math.min(...starts.ready).toFixed(0)} ms`);
 
 // The page's own work in a frame, without the browser's afterwards.
 function timeFrames() {
