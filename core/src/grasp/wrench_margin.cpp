@@ -27,6 +27,7 @@ int orient3(const Wrench& a, const Wrench& b, const Wrench& c, const Wrench& d) 
   const double permanent = p.cwiseAbs().sum() * q.cwiseAbs().sum() * r.cwiseAbs().sum();
   constexpr double filter_threshold = 0x1p-48;  // as in predicates.cpp
   if (std::fabs(value) > filter_threshold * permanent) return value > 0 ? 1 : -1;
+  if (d == a || d == b || d == c) return 0;  // most of the others: hull_facets() asks about corners
   using Row = std::array<Dyadic, 3>;
   const auto difference = [&](const Wrench& v) {
     return Row{Dyadic(v.x()) - Dyadic(a.x()), Dyadic(v.y()) - Dyadic(a.y()),
