@@ -23,7 +23,9 @@ const starts = [
   { width: 390, height: 844, dark: 1, touch: 1 },
   { language: "de" },
   { embed: 1 },
+  { link: "1.none" }, // is refused
   { sample: "gear", set: ["teams=6", "weight=800"] },
+  { sample: "gear", set: ["teams=6", "weight=800"], kept: true }, // opened from the browser's storage
   { sample: "gear", set: ["metric=circle", "teams=6", "unit=mm", "overlays=candidates,tilt"] },
   { sample: "guitar", set: ["metric=distance", "com_radius=3", "capacity=40"] },
   { sample: "letter-k", set: ["com_radius=20"] },
@@ -107,8 +109,8 @@ async function openPage() {
 
 const words = (language) => JSON.parse(readFileSync(path.join(assets, "words", `${language}.json`), "utf8"));
 
-async function linkOf({ sample, set }) {
-  if (!sample) return "";
+async function linkOf({ sample, set, link = "" }) {
+  if (!sample) return link;
   const { text, check } = await openPage();
   check("page_start", "", "", "", 0);
   check("page_load", readFileSync(path.join(assets, "polygons", `${sample}.txt`), "utf8"));
@@ -117,18 +119,21 @@ async function linkOf({ sample, set }) {
 }
 
 // The functions called until the first picture.
-async function record({ link, width = 1280, height = 800, dark = 0, touch = 0, embed = 0, language }) {
+async function record({ link, width = 1280, height = 800, dark = 0, touch = 0, embed = 0, language, kept = false }) {
   const { exports, call, text, check } = await openPage();
   // What the page calls (web/page/page.js).
   if (language)
     for (const [english, translated] of Object.entries(words(language))) call("words_translate", english, translated);
   call("page_draws");
-  check("page_start", link, "", "", embed);
+  const refusal = text("page_start", kept ? "" : link, kept ? link : "", "", embed);
+  call("page_notice", refusal || "A notice.", 1);
   for (const name of ["page_summary", "page_news", "page_link", "page_draft", "page_drawing"]) call(name);
+  for (const name of ["page_script", "page_walkthrough_is_open", "page_task_is_open", "page_wake"]) call(name);
   call("page_keep", text("page_kept"));
   call("page_preferences", dark, 0, touch);
   for (let frame = 0; frame < 4; ++frame) {
     call("page_catch_up");
+    call("page_press", 0, 1);
     call("page_resize", width, height, 1, width, height);
     call("page_frame");
     call("page_zoom");
@@ -161,4 +166,19 @@ split(
   "-o2",
   rest,
 );
+checkJoint(file("first.wasm"), rest);
 renameSync(file("first.wasm"), program);
+
+// Another version of wasm-split may name or share things in another way (web/page/two_modules.js).
+function checkJoint(...files) {
+  const [one, other] = files.map((name) => new WebAssembly.Module(readFileSync(name)));
+  const exports = WebAssembly.Module.exports(one);
+  const named = new Set(exports.map(({ name }) => name));
+  for (const { module, name } of WebAssembly.Module.imports(other))
+    if (module !== `primary-${version}` || !named.has(name))
+      throw new Error(`the second module asks for ${module} ${name}`);
+  const spaces = new Set(WebAssembly.Module.imports(one).map(({ module }) => module));
+  if (![...spaces].some((name) => name.startsWith(`placeholder-${version}`)))
+    throw new Error(`no placeholders: ${[...spaces]}`);
+  if (exports.filter(({ kind }) => kind === "table").length !== 1) throw new Error("the modules share not one table");
+}

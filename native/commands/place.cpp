@@ -12,6 +12,7 @@
 #include "evenlift/output/verdict.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
+#include "evenlift/tolerance.h"
 #include "print/progress.h"
 #include "print/robustness_text.h"
 #include "print/table.h"

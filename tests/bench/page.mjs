@@ -20,7 +20,7 @@ for (let i = 0; i < 7; ++i) {
   const page = await browser.open({
     script: () => {
       const waiting = setInterval(() => {
-        if (!globalThis.evenlift?.frames) return;
+        if (!document.querySelector("#cover.done")) return;
         clearInterval(waiting);
         globalThis.pictureAt = performance.now();
         evenlift.ready.then(() => {

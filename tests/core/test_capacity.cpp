@@ -8,6 +8,7 @@
 #include "evenlift/generate.h"
 #include "evenlift/output/words.h"
 #include "evenlift/swaps.h"
+#include "evenlift/tolerance.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/placed.h"

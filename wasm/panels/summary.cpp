@@ -8,6 +8,7 @@
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/verdict.h"
 #include "evenlift/output/words.h"
+#include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
 #include "tools/drawing.h"
 #include "walkthrough/words.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "evenlift/capacity.h"
+#include "evenlift/tolerance.h"
 #include "picture/painter.h"
 #include "picture/scene.h"
 #include "state/layout.h"

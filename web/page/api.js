@@ -74,6 +74,7 @@ const place = (control) => control && { x: control.left, y: control.top, width: 
 
 export function createApi() {
   let program;
+  let isReady = false;
   let nameLesson;
   let resolve;
   let reject;
@@ -82,7 +83,7 @@ export function createApi() {
     reject = no;
   });
   ready.catch(() => {}); // else the browser would report the error twice
-  const running = () => program ?? fail("evenlift", "is not ready yet: await evenlift.ready");
+  const running = () => (isReady ? program : fail("evenlift", "is not ready yet: await evenlift.ready"));
 
   const evenlift = {
     ready,
@@ -118,7 +119,10 @@ export function createApi() {
       program = running_program;
       nameLesson = lessonNamed;
     },
-    ready: resolve,
+    ready() {
+      isReady = true;
+      resolve();
+    },
     fail: reject,
   };
 }

@@ -45,6 +45,7 @@ export class Bindings {
   #search;
   #choose;
   #program;
+  #whole;
   #screen;
   #page; // as its windows get it
   #pictures = new EventTarget();
@@ -63,9 +64,10 @@ export class Bindings {
     this.#choose = createChoosing(call);
   }
 
-  // Call this before the first call into the program.
-  attach(program) {
+  // Call this before the first call into the program. whole() ends when all of it has arrived.
+  attach(program, whole) {
     this.#program = program;
+    this.#whole = whole;
   }
 
   // Call this once the program runs.
@@ -174,8 +176,8 @@ export class Bindings {
   // For other languages and mathematics; without these fonts, such letters appear as "?".
   fetchLetters() {
     underWay(
-      Promise.all(["letters-regular.otf", "letters-semibold.otf"].map(fetchBytes))
-        .then((fonts) => this.#program.call("page_letters", ...fonts))
+      Promise.all([fetchBytes("letters-regular.otf"), fetchBytes("letters-semibold.otf"), this.#whole()])
+        .then(([regular, semibold]) => this.#program.call("page_letters", regular, semibold))
         .catch(() => this.#publisher.notice("Some letters cannot be shown: the server cannot be reached.", true)),
     );
   }

@@ -78,8 +78,8 @@ async function load(bindings) {
   const { module, loadRest } = await createProgram({ canvas: document.getElementById("canvas"), bindings });
   const program = new Program(module);
   program.speak(translations());
-  bindings.attach(program);
   const whole = () => underWay(loadRest());
+  bindings.attach(program, whole);
   // All of a page that the browser keeps is here at once, and a call that waits for the rest would ask the network.
   if (navigator.serviceWorker?.controller) await whole();
   return { program, whole };
@@ -172,8 +172,10 @@ async function start() {
   if (!program.number("page_draws")) {
     await whole();
     afterPicture = await startStill(program, publisher, bindings);
-    return;
+    cover.classList.add("done");
+    return api.ready();
   }
+  if (challenge || place || readAddress().lesson) await whole(); // their first calls need it
   const fragment = linkIn(location.hash);
   const kept = publisher.kept(fragment);
   const lesson = lessonLinkIn(location.hash);
@@ -183,6 +185,10 @@ async function start() {
     program.onStop = fail;
   });
   stopped.catch(() => {});
+  // For exceptions in SDL's own event handlers, which call the program.
+  addEventListener("error", ({ error }) => {
+    if (error instanceof WebAssembly.RuntimeError || error instanceof NotLoaded) program.stop(error);
+  });
   if (!embed && kept.work !== started.work) publisher.forget(kept.work);
   api.connect(program, (name) => publisher.nameLesson(name));
   // If the link is the document that was last open here, no step leads to it.
@@ -206,15 +212,22 @@ async function start() {
     (join) => bindings.beginLesson(join),
   );
   // If the address's document is open, its lesson continues at the link's step.
-  if (lesson) await whole();
   if (started.lesson === lesson) await bindings.beginLesson(fragment !== "" && !problem && !started.problem);
   else publisher.nameInAddress();
   const message = started.problem || (problem && refusedAtStart(problem, started)) || (embed ? "" : whyStartedAnew());
   if (message) program.call("page_notice", message, 1);
   await Promise.race([firstPicture, stopped]);
   started.succeeded?.();
+  cover.classList.add("done");
   if (started.fragment && !problem) publisher.adopt(fragment);
-  await Promise.race([whole(), stopped]);
+  program.onOpening = (text) => {
+    publisher.flush({ drawn: true });
+    opening = text;
+    workGoesOn();
+  };
+  program.onStop = (error) => (notLoaded(error) ? fail(error) : startAnew(error, { opening, work: publisher.stop() }));
+  await whole();
+  if (program.stopped) return;
   underWay(loadMirror(program, field, publisher)).then(
     (drawn) => {
       afterPicture = drawn;
@@ -226,18 +239,11 @@ async function start() {
     },
     (error) => console.warn("The controls cannot be reached by keys: they could not be loaded.", error),
   );
-  program.onOpening = (text) => {
-    publisher.flush({ drawn: true });
-    opening = text;
-    workGoesOn();
-  };
-  program.onStop = (error) => startAnew(error, { opening, work: publisher.stop() });
-  // For exceptions in SDL's own event handlers, which call the program.
-  addEventListener("error", ({ error }) => error instanceof WebAssembly.RuntimeError && program.stop(error));
   loadTheRest(program, bindings, {
     begins: !fragment && !lesson && !kept.work,
     introduces: fragment && !lesson && !problem && !kept.own,
   });
+  api.ready();
 }
 
 // The page is loaded again with the last drawn document, since the program's memory cannot be trusted.
@@ -247,8 +253,10 @@ function startAnew(error, { opening, work }) {
   else showProblem("Something went wrong while drawing.", hasStopped);
 }
 
+const notLoaded = (error) => [error, error.cause].find((reason) => reason instanceof NotLoaded);
+
 function fail(error) {
-  const missing = [error, error.cause].find((reason) => reason instanceof NotLoaded);
+  const missing = notLoaded(error);
   if (missing) {
     console.error(missing);
     started?.succeeded?.(); // its document did not stop the page
@@ -263,7 +271,4 @@ function fail(error) {
   api.fail(error);
 }
 
-start().then(() => {
-  cover.classList.add("done");
-  api.ready();
-}, fail);
+start().catch(fail);

@@ -2,22 +2,35 @@
 // first picture needs, evenlift_rest.wasm the others. The first has a placeholder for each of the others, which the
 // second replaces. A program that was not divided is one module.
 
-const rest = "evenlift_rest.wasm";
+const [first, rest] = ["evenlift.wasm", "evenlift_rest.wasm"];
 
-// The second module did not arrive, or is of another version; the cause says more.
+// A file did not arrive, or the modules are of different versions; the cause says more.
 export class NotLoaded extends Error {
   constructor(cause) {
     super("A part of the page did not arrive.", { cause });
   }
 }
 
+const notLoaded = (cause) => {
+  throw new NotLoaded(cause);
+};
+
+async function get(name) {
+  const answer = await fetch(name).catch(notLoaded);
+  if (!answer.ok) notLoaded(new Error(`${name}: ${answer.status}`));
+  return answer;
+}
+
 async function compile(name) {
-  const answer = await fetch(name);
-  if (!answer.ok) throw new Error(`${name}: ${answer.status}`);
+  const answer = await get(name);
   // Some servers do not know this type.
   if (answer.headers.get("Content-Type") === "application/wasm") return WebAssembly.compileStreaming(answer);
   return WebAssembly.compile(await answer.arrayBuffer());
 }
+
+// After a new version was published, the browser may have kept some files of the old one. Makes it take all anew.
+const fetchAnew = () =>
+  Promise.allSettled(["page.js", "evenlift.js", first, rest].map((name) => fetch(name, { cache: "reload" })));
 
 // Blocks the page, unlike compile().
 function compileAtOnce(name) {
@@ -31,19 +44,22 @@ function compileAtOnce(name) {
 
 // Returns Emscripten's module, and the function that loads the rest. A call that needs the rest earlier waits for it.
 export async function createProgram(options) {
-  const [{ default: createModule }, first] = await Promise.all([import("./evenlift.js"), compile("evenlift.wasm")]);
-  const space = WebAssembly.Module.imports(first).find(({ module }) => module.startsWith("placeholder"))?.module;
+  const [{ default: createModule }, compiled] = await Promise.all([
+    import("./evenlift.js").catch(notLoaded),
+    compile(first),
+  ]);
+  const space = WebAssembly.Module.imports(compiled).find(({ module }) => module.startsWith("placeholder"))?.module;
   let exports;
   let whole = !space;
 
   const table = () => Object.values(exports).find((value) => value instanceof WebAssembly.Table);
-  // Both names end alike, so that modules of different versions cannot be joined.
-  const imports = () => ({ [space.replace("placeholder", "primary")]: exports });
+  // The names have the version, so that modules of different versions cannot be joined.
+  const imports = () => ({ [space.replace(/^placeholder(-[0-9a-f]+).*/, "primary$1")]: exports });
   const joinAtOnce = () => {
     try {
       new WebAssembly.Instance(compileAtOnce(rest), imports());
     } catch (cause) {
-      throw new NotLoaded(cause);
+      notLoaded(cause);
     }
     whole = true;
   };
@@ -59,23 +75,26 @@ export async function createProgram(options) {
     const instantiateWasm = (given, receive) => {
       const received = (instance) => {
         ({ exports } = instance);
-        receive(instance, first);
+        receive(instance, compiled);
       };
-      WebAssembly.instantiate(first, { ...given, ...placeholders })
+      WebAssembly.instantiate(compiled, { ...given, ...placeholders })
         .then(received)
         .catch(fail);
       return {};
     };
     createModule({ ...options, instantiateWasm }).then(done, fail);
   });
-  const loadRest = async () => {
+  const joinLater = async () => {
     if (whole) return;
+    const second = await compile(rest);
     try {
-      await WebAssembly.instantiate(await compile(rest), imports());
+      await WebAssembly.instantiate(second, imports());
     } catch (cause) {
-      throw new NotLoaded(cause);
+      await fetchAnew();
+      notLoaded(cause);
     }
     whole = true;
   };
-  return { module, loadRest };
+  let loading;
+  return { module, loadRest: () => (loading ??= joinLater()) };
 }

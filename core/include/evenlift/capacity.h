@@ -23,10 +23,6 @@ std::uint32_t most_teams_tried(const Settings& settings);
 // neither is given. Robots are numbered as in find_robot() (loads.h). O(1).
 std::optional<double> capacity_of(const ShownPlacement& of, std::size_t robot);
 
-// Whether a load exceeds the capacity by more than tau (tolerance.h) times the capacity. A smaller
-// excess may be due to rounding alone. O(1).
-bool exceeds(double load, double capacity);
-
 // has_capacities() returns whether any robot has a capacity, and has_own_capacities() whether given
 // supports have their own. O(1).
 bool has_capacities(const ShownPlacement& of);
@@ -84,8 +80,8 @@ CapacityPlan plan_capacity(const Placement& placement, double capacity);
 
 // The number of robots needed if any one robot may fail. While all robots work, no planned load
 // exceeds the capacity. After one has failed, the others carry the object, and no load by springs
-// (load_models.h) exceeds the capacity. exceeds() decides both. The plan does not consider that
-// loads change suddenly.
+// (load_models.h) exceeds the capacity. exceeds() (tolerance.h) decides both. The plan does not
+// consider that loads change suddenly.
 struct FailurePlan {
   bool possible = false;
   std::uint32_t robots = 0;  // the least number found, if `possible`

@@ -30,6 +30,10 @@ inline constexpr double short_edge = 1e-3;
 inline constexpr double coverage_tie = 1e-9;
 inline constexpr double spread_tie = 1e-9;
 
+// Whether a load exceeds the capacity by more than tau times the capacity. A smaller excess may be
+// due to rounding alone.
+bool exceeds(double load, double capacity);
+
 // Whether the angle between two directions is below 90 degrees and its sine is at most tau.
 bool directions_agree(const Vec2& a, const Vec2& b);
 

@@ -11,6 +11,8 @@ bool lengths_tie(double a, double b) { return std::fabs(a - b) <= tau * std::max
 
 double score_slack(double best, double floor) { return std::max(tau * best, floor); }
 
+bool exceeds(double load, double capacity) { return load > capacity * (1 + tau); }
+
 bool directions_agree(const Vec2& a, const Vec2& b) {
   const double side = std::fabs(cross(a, b));
   // A cheap test that avoids two square roots in most calls.

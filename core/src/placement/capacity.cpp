@@ -141,8 +141,6 @@ CapacityPlan plan_balanced(const Settings& settings, double capacity) {
 
 }  // namespace
 
-bool exceeds(double load, double capacity) { return load > capacity * (1 + tau); }
-
 std::optional<double> capacity_of(const ShownPlacement& of, std::size_t robot) {
   const auto& own = of.shown.support_capacities;
   return has_own_capacities(of) && robot < own.size() && own[robot] ? own[robot]

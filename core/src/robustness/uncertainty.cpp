@@ -97,9 +97,8 @@ std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const LoadC
 std::optional<double> radius_within_capacity(const SpringLoads& springs, double tipping_distance,
                                              const std::vector<std::optional<double>>& capacities,
                                              const LoadChanges& besides, double reach) {
-  // A load may exceed the capacity by rounding alone (exceeds() in capacity.h).
   const auto overloads = [&](std::size_t i, double load) {
-    return capacities[i] && load > *capacities[i] * (1 + tau);
+    return capacities[i] && exceeds(load, *capacities[i]);
   };
   if (may_let_go(springs.loads, besides)) {
     for (std::size_t i = 0; i < springs.loads.size(); ++i)

@@ -14,6 +14,7 @@
 #include "evenlift/output/picture.h"
 #include "evenlift/output/words.h"
 #include "evenlift/stands.h"
+#include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
 #include "output/svg/svg_bodies.h"
 #include "output/svg/svg_caption.h"

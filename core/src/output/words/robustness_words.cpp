@@ -7,6 +7,7 @@
 #include "evenlift/capacity.h"
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/tilt.h"
+#include "evenlift/tolerance.h"
 #include "evenlift/uncertainty.h"
 #include "evenlift/wording.h"
 #include "output/words/listed.h"
