@@ -125,10 +125,19 @@ async function record({ link, width = 1280, height = 800, dark = 0, touch = 0, e
   if (language)
     for (const [english, translated] of Object.entries(words(language))) call("words_translate", english, translated);
   call("page_draws");
+  text("page_without_step", link);
   const refusal = text("page_start", kept ? "" : link, kept ? link : "", "", embed);
   call("page_notice", refusal || "A notice.", 1);
   for (const name of ["page_summary", "page_news", "page_link", "page_draft", "page_drawing"]) call(name);
-  for (const name of ["page_script", "page_walkthrough_is_open", "page_task_is_open", "page_wake"]) call(name);
+  for (const name of [
+    "page_vertex_count",
+    "page_text",
+    "page_script",
+    "page_walkthrough_is_open",
+    "page_task_is_open",
+    "page_wake",
+  ])
+    call(name);
   call("page_keep", text("page_kept"));
   call("page_preferences", dark, 0, touch);
   for (let frame = 0; frame < 4; ++frame) {

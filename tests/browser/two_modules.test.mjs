@@ -97,6 +97,7 @@ test("a drag before the second module is there waits for it, and takes effect", 
 
 for (const [how, answer] of Object.entries({
   "does not arrive": (route) => route.fulfill({ status: 503 }),
+  "is something else": (route) => route.fulfill({ body: "<p>Log in first", contentType: "text/html" }),
   "is of another version": (route) => route.fulfill({ body: otherVersion(), contentType: "application/wasm" }),
 })) {
   test(`a second module that ${how} is not joined: the page says so and loses nothing`, async () => {

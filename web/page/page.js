@@ -95,6 +95,14 @@ async function loadMirror(program, field, publisher) {
   return createMirror(program, field, (text, problem) => publisher.notice(text, problem));
 }
 
+// Returns a function that says whether the user has begun to work.
+function firstTouch() {
+  let touched = false;
+  for (const type of ["pointerdown", "keydown", "drop", "paste", "hashchange"])
+    addEventListener(type, () => (touched = true), { once: true, capture: true, passive: true });
+  return () => touched;
+}
+
 // For visitors who may be new to evenlift: one line, until the first touch.
 function introduce(program) {
   program.call(
@@ -160,7 +168,9 @@ async function start() {
   // `awaited` names the field that a key asked for, until the mirror has it; `begun` is that key if it is a digit.
   // `show` updates the mirror.
   const field = { awaited: "", begun: "", show: () => {} };
+  let begun = false; // frames before the start draw nothing
   const bindings = new Bindings(publisher, field, () => {
+    if (!begun) return;
     pictureIsThere();
     publisher.drawn();
     program.onPicture();
@@ -171,16 +181,20 @@ async function start() {
   const { program, whole } = await load(bindings);
   if (!program.number("page_draws")) {
     await whole();
+    begun = true;
     afterPicture = await startStill(program, publisher, bindings);
     cover.classList.add("done");
     return api.ready();
   }
-  if (challenge || place || readAddress().lesson) await whole(); // their first calls need it
   const fragment = linkIn(location.hash);
   const kept = publisher.kept(fragment);
   const lesson = lessonLinkIn(location.hash);
   const asked = { ...kept, fragment: kept.own ? "" : fragment, lesson };
   started = embed ? asked : await beginStart(asked);
+  // Their first calls need all of the program. Only a link has a step, for the walkthrough.
+  const hasStep = (text) => text && program.text("page_without_step", text) !== text;
+  const walks = hasStep(started.fragment) || hasStep(started.work);
+  if (challenge || place || readAddress().lesson || started.drawing || walks) await whole();
   const stopped = new Promise((_, fail) => {
     program.onStop = fail;
   });
@@ -193,6 +207,7 @@ async function start() {
   api.connect(program, (name) => publisher.nameLesson(name));
   // If the link is the document that was last open here, no step leads to it.
   const before = started.work === started.fragment ? "" : started.work;
+  begun = true;
   const problem = program.text(
     "page_start",
     started.fragment || !before ? toOpen(program, started.fragment) : "",
@@ -217,6 +232,7 @@ async function start() {
   const message = started.problem || (problem && refusedAtStart(problem, started)) || (embed ? "" : whyStartedAnew());
   if (message) program.call("page_notice", message, 1);
   await Promise.race([firstPicture, stopped]);
+  if (program.stopped) await stopped;
   started.succeeded?.();
   cover.classList.add("done");
   if (started.fragment && !problem) publisher.adopt(fragment);
@@ -225,8 +241,16 @@ async function start() {
     opening = text;
     workGoesOn();
   };
-  program.onStop = (error) => (notLoaded(error) ? fail(error) : startAnew(error, { opening, work: publisher.stop() }));
-  await whole();
+  program.onStop = (error) => {
+    const work = publisher.stop();
+    if (notLoaded(error)) fail(error);
+    else startAnew(error, { opening, work });
+  };
+  const isTouched = firstTouch();
+  await whole().catch((error) => {
+    publisher.flush();
+    program.stop(error);
+  });
   if (program.stopped) return;
   underWay(loadMirror(program, field, publisher)).then(
     (drawn) => {
@@ -240,8 +264,8 @@ async function start() {
     (error) => console.warn("The controls cannot be reached by keys: they could not be loaded.", error),
   );
   loadTheRest(program, bindings, {
-    begins: !fragment && !lesson && !kept.work,
-    introduces: fragment && !lesson && !problem && !kept.own,
+    begins: !fragment && !lesson && !kept.work && !isTouched(),
+    introduces: fragment && !lesson && !problem && !kept.own && !isTouched(),
   });
   api.ready();
 }
@@ -250,7 +274,10 @@ async function start() {
 function startAnew(error, { opening, work }) {
   console.error(error);
   if (!embed && prepareRestart({ opening, work })) location.reload();
-  else showProblem("Something went wrong while drawing.", hasStopped);
+  else {
+    showProblem("Something went wrong while drawing.", hasStopped);
+    api.fail(error);
+  }
 }
 
 const notLoaded = (error) => [error, error.cause].find((reason) => reason instanceof NotLoaded);

@@ -59,6 +59,7 @@ export async function createProgram(options) {
     try {
       new WebAssembly.Instance(compileAtOnce(rest), imports());
     } catch (cause) {
+      fetchAnew();
       notLoaded(cause);
     }
     whole = true;
@@ -86,7 +87,8 @@ export async function createProgram(options) {
   });
   const joinLater = async () => {
     if (whole) return;
-    const second = await compile(rest);
+    const second = await compile(rest).catch((cause) => whole || notLoaded(cause));
+    if (whole) return;
     try {
       await WebAssembly.instantiate(second, imports());
     } catch (cause) {
