@@ -115,7 +115,7 @@ async function linkOf({ sample, set, link = "" }) {
 
 // The functions called until the first picture.
 async function record({ link, width = 1280, height = 800, dark = 0, touch = 0, embed = 0, language, kept = false }) {
-  const { exports, call, text, check } = await openPage();
+  const { exports, call, text } = await openPage();
   // What the page calls (web/page/page.js).
   if (language)
     for (const [english, translated] of Object.entries(words(language))) call("words_translate", english, translated);
@@ -123,14 +123,18 @@ async function record({ link, width = 1280, height = 800, dark = 0, touch = 0, e
   text("page_without_step", link);
   const refusal = text("page_start", kept ? "" : link, kept ? link : "", "", embed);
   call("page_notice", refusal || "A notice.", 1);
-  for (const name of ["page_summary", "page_news", "page_link", "page_draft", "page_drawing"]) call(name);
   for (const name of [
-    "page_vertex_count",
-    "page_text",
+    "page_draft",
+    "page_drawing",
+    "page_link",
+    "page_news",
     "page_script",
-    "page_walkthrough_is_open",
+    "page_summary",
     "page_task_is_open",
+    "page_text",
+    "page_vertex_count",
     "page_wake",
+    "page_walkthrough_is_open",
   ])
     call(name);
   call("page_keep", text("page_kept"));
@@ -195,8 +199,8 @@ function checkJoint(version, ...files) {
   if (exports.filter(({ kind }) => kind === "table").length !== 1) throw new Error("the modules share not one table");
 }
 
-// With an Emscripten whose wasm-split or script is another than expected, the program stays one module: the page works,
-// but its first picture comes later, and the test of its size fails. The second module is then empty and never loaded.
+// Without wasm-split, or if it or Emscripten's script is another than expected, the program stays one module: the page
+// works, but its first picture comes later, and tests fail. The second module is then empty and never loaded.
 try {
   await divide();
 } catch (error) {

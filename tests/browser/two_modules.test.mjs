@@ -1,8 +1,8 @@
 // The program is two modules: the first picture needs only one, and nothing is lost before the other is there.
 import assert from "node:assert/strict";
-import { existsSync, readFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import path from "node:path";
-import { test as always } from "node:test";
+import { test } from "node:test";
 import {
   evenlift,
   idle,
@@ -10,6 +10,7 @@ import {
   pageFolder,
   phone,
   sample,
+  set,
   sharedBrowser,
   state,
   toScreen,
@@ -18,8 +19,6 @@ import {
 
 const browser = sharedBrowser();
 const rest = "evenlift_rest.wasm";
-// Without wasm-split there is one module.
-const test = (name, run) => always(name, { skip: !existsSync(path.join(pageFolder, rest)) }, run);
 
 // Opens the page and keeps the second module back until release(), at the moment when it is first asked for. `asked`
 // lists how it was asked for: "fetch" after the first picture, "xhr" by a call that needs it.
@@ -69,6 +68,33 @@ for (const [name, options] of Object.entries(starts)) {
     assert.deepEqual(page.complaints, []);
     await held.close();
   });
+}
+
+// Their first calls need it: nothing blocks the page.
+for (const [what, address] of Object.entries({
+  "a lesson": () => "?lesson=centroid",
+  "a challenge": () => `?challenge=1${encoded("gear")}`,
+  "a link with a step": linkWithStep,
+})) {
+  test(`${what} waits for the second module before it is opened`, async () => {
+    const held = await openInTwo({ address: await address() });
+    const { page } = held;
+    assert.equal(await page.locator("#cover.done").count(), 0);
+    held.release();
+    await page.evaluate(() => evenlift.ready);
+    assert.deepEqual(held.asked, ["fetch"]);
+    assert.deepEqual(page.complaints, []);
+    await held.close();
+  });
+}
+
+async function linkWithStep() {
+  const page = await browser.open({ address: encoded("gear") });
+  await set(page, { step: 2 });
+  const address = `#${await link(page)}`;
+  await page.done();
+  assert.notEqual(address, encoded("gear"), "the link has no step");
+  return address;
 }
 
 test("a drag before the second module is there waits for it, and takes effect", async () => {

@@ -13,7 +13,7 @@ import { createProgram, NotLoaded } from "./two_modules.js";
 import { underWay } from "./under_way.js";
 
 const cover = document.getElementById("cover");
-const { embed, challenge, place } = readAddress();
+const { embed, challenge, lesson: askedLesson, place } = readAddress();
 const api = createApi();
 window.evenlift = api.evenlift;
 if (embed) document.documentElement.classList.add("figure", "guest"); // input.js
@@ -168,9 +168,9 @@ async function start() {
   // `awaited` names the field that a key asked for, until the mirror has it; `begun` is that key if it is a digit.
   // `show` updates the mirror.
   const field = { awaited: "", begun: "", show: () => {} };
-  let begun = false; // frames before the start draw nothing
+  let hasBegun = false; // frames before the start draw nothing
   const bindings = new Bindings(publisher, field, () => {
-    if (!begun) return;
+    if (!hasBegun) return;
     pictureIsThere();
     publisher.drawn();
     program.onPicture();
@@ -181,7 +181,7 @@ async function start() {
   const { program, whole } = await load(bindings);
   if (!program.number("page_draws")) {
     await whole();
-    begun = true;
+    hasBegun = true;
     afterPicture = await startStill(program, publisher, bindings);
     cover.classList.add("done");
     return api.ready();
@@ -194,7 +194,7 @@ async function start() {
   // Their first calls need all of the program. Only a link has a step, for the walkthrough.
   const hasStep = (text) => text && program.text("page_without_step", text) !== text;
   const walks = hasStep(started.fragment) || hasStep(started.work);
-  if (challenge || place || readAddress().lesson || started.drawing || walks) await whole();
+  if (challenge || askedLesson || place || started.drawing || walks) await whole();
   const stopped = new Promise((_, fail) => {
     program.onStop = fail;
   });
@@ -207,7 +207,7 @@ async function start() {
   api.connect(program, (name) => publisher.nameLesson(name));
   // If the link is the document that was last open here, no step leads to it.
   const before = started.work === started.fragment ? "" : started.work;
-  begun = true;
+  hasBegun = true;
   const problem = program.text(
     "page_start",
     started.fragment || !before ? toOpen(program, started.fragment) : "",
@@ -243,7 +243,7 @@ async function start() {
   };
   program.onStop = (error) => {
     const work = publisher.stop();
-    if (notLoaded(error)) fail(error);
+    if (missingPart(error)) fail(error);
     else startAnew(error, { opening, work });
   };
   const isTouched = firstTouch();
@@ -280,10 +280,10 @@ function startAnew(error, { opening, work }) {
   }
 }
 
-const notLoaded = (error) => [error, error.cause].find((reason) => reason instanceof NotLoaded);
+const missingPart = (error) => [error, error.cause].find((reason) => reason instanceof NotLoaded);
 
 function fail(error) {
-  const missing = notLoaded(error);
+  const missing = missingPart(error);
   if (missing) {
     console.error(missing);
     started?.succeeded?.(); // its document did not stop the page

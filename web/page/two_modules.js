@@ -15,14 +15,9 @@ const notLoaded = (cause) => {
   throw new NotLoaded(cause);
 };
 
-async function get(name) {
+async function compile(name) {
   const answer = await fetch(name).catch(notLoaded);
   if (!answer.ok) notLoaded(new Error(`${name}: ${answer.status}`));
-  return answer;
-}
-
-async function compile(name) {
-  const answer = await get(name);
   // Some servers do not know this type.
   if (answer.headers.get("Content-Type") === "application/wasm") return WebAssembly.compileStreaming(answer);
   return WebAssembly.compile(await answer.arrayBuffer());
