@@ -2,12 +2,11 @@
 # `./dev tidy` compiles each alone, without precompiled headers (CMAKE_DISABLE_PRECOMPILE_HEADERS).
 include_guard()
 
-# The target reads Eigen, and the headers that it names, only once.
+# The target reads the headers that it names, and these, only once.
 function(evenlift_precompile target)
   target_precompile_headers(
     ${target}
     PRIVATE
-    <Eigen/Core>
     <algorithm>
     <optional>
     <string>

@@ -11,7 +11,7 @@ int main() {
   if (!candidates) return 1;
   for (const evenlift::Candidate& candidate : *candidates) {
     const evenlift::Vec2 &a = candidate.chord.r1.position, &b = candidate.chord.r2.position;
-    std::printf("(%.2f, %.2f) to (%.2f, %.2f), ratio %.3f, %s\n", a.x(), a.y(), b.x(), b.y(),
+    std::printf("(%.2f, %.2f) to (%.2f, %.2f), ratio %.3f, %s\n", a.x, a.y, b.x, b.y,
                 candidate.chord.ratio, evenlift::name(candidate.kind).data());
   }
 }

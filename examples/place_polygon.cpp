@@ -17,8 +17,8 @@ int main() {
   for (const evenlift::Team& team : placement->teams) {
     const evenlift::Robot &r1 = team.robots[0], &r2 = team.robots[1];
     const evenlift::Vec2 &a = r1.point.position, &b = r2.point.position;
-    std::printf("(%.2f, %.2f) bears %.2f, (%.2f, %.2f) bears %.2f\n", a.x(), a.y(), r1.load, b.x(),
-                b.y(), r2.load);
+    std::printf("(%.2f, %.2f) bears %.2f, (%.2f, %.2f) bears %.2f\n", a.x, a.y, r1.load, b.x,
+                b.y, r2.load);
   }
   std::printf("coverage %.0f %%, %s\n", 100 * placement->coverage,
               placement->closure.form_closure ? "form closure" : "no form closure");

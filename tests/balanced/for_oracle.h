@@ -11,15 +11,15 @@ namespace evenlift::testing {
 
 inline set_oracle::Object object_of(const Polygon& polygon, const Vec2& centre) {
   set_oracle::Object object;
-  for (const Vec2& v : polygon.vertices()) object.vertices.push_back({v.x(), v.y()});
-  object.centre = {centre.x(), centre.y()};
+  for (const Vec2& v : polygon.vertices()) object.vertices.push_back({v.x, v.y});
+  object.centre = {centre.x, centre.y};
   return object;
 }
 
 inline std::vector<set_oracle::Point> plain(const std::vector<LiftingPoint>& robots) {
   std::vector<set_oracle::Point> points;
   for (const LiftingPoint& robot : robots)
-    points.push_back({robot.position.x(), robot.position.y()});
+    points.push_back({robot.position.x, robot.position.y});
   return points;
 }
 

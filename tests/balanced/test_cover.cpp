@@ -38,9 +38,9 @@ bool well_inside(const Points& hull, const Vec2& centre, double diagonal) {
 
 // A place moved by as little as its coordinates allow.
 LiftingPoint shaken(Vec2 position, Rng& rng) {
-  for (double& x : position)
+  for (double* const axis : {&position.x, &position.y})
     for (std::uint64_t steps = rng.below(4); steps > 0; --steps)
-      x = std::nextafter(x, rng.below(2) == 0 ? -1e300 : 1e300);
+      *axis = std::nextafter(*axis, rng.below(2) == 0 ? -1e300 : 1e300);
   LiftingPoint robot;
   robot.position = position;
   return robot;

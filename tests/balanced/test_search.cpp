@@ -302,7 +302,7 @@ TEST_CASE("no robot with a size comes to where it collides with one that stays",
     // The first robot moves along the lower side to the place that would force its neighbours to
     // (3, 5.5) and (10, 1.5).
     const auto neighbours_follow = [&](const LiftingPoint& stays) {
-      const LiftingPoint to{Vec2(10 - stays.position.x() + (mirrored ? 3 : -3), 0), 0};
+      const LiftingPoint to{Vec2(10 - stays.position.x + (mirrored ? 3 : -3), 0), 0};
       CHECK(completions(problem, {to, stays}).chords.size() == 1);
       return move_robot(problem, {{at(6, 0), 0}, {at(10, 2), 1}, stays, {at(4, 6), 2}}, 0, to)
           .has_value();
@@ -345,8 +345,8 @@ TEST_CASE("a turned and scaled object gets the same verdict, and nearly the same
     const Task task = task_of(document, 6);
     const double angle = 0.37 + static_cast<double>(i);
     for (Vec2& v : document.vertices)
-      v = 3.7 * Vec2(cosine(angle) * v.x() - sine(angle) * v.y(),
-                     sine(angle) * v.x() + cosine(angle) * v.y());
+      v = 3.7 * Vec2(cosine(angle) * v.x - sine(angle) * v.y,
+                     sine(angle) * v.x + cosine(angle) * v.y);
     const Task other = task_of(document, 6);
     const auto result = [](const Task& t) {
       return balanced_keys(t.problem, finish_search(t.problem, *start_balanced(t.problem)).robots);

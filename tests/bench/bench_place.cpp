@@ -98,7 +98,7 @@ BENCHMARK(read_max_vertices)->Unit(benchmark::kMillisecond);
 // A tilted square: all contacts of a side are aligned, and rounding separates their normals.
 Document tilted_square(int on_each_side) {
   const Vec2 right = 1000 * Vec2(cosine(0.3), sine(0.3)), up = left_normal(right);
-  const Vec2 corners[] = {Vec2::Zero(), right, right + up, up};
+  const Vec2 corners[] = {Vec2{}, right, right + up, up};
   Document document;
   for (std::size_t side = 0; side < 4; ++side)
     for (int i = 0; i < on_each_side; ++i)

@@ -17,7 +17,7 @@ namespace {
 using evenlift::testing::document_of;
 using oracle::Point;
 
-Point point(const evenlift::Vec2& v) { return {v.x(), v.y()}; }
+Point point(const evenlift::Vec2& v) { return {v.x, v.y}; }
 
 double distance(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1]); }
 

@@ -25,8 +25,8 @@ using namespace evenlift;
 
 Vec2 moved(const Vec2& p, const Motion& motion) {
   const double c = std::cos(motion.angle_rad), s = std::sin(motion.angle_rad);
-  const double x = motion.mirrored ? -p.x() : p.x();
-  return motion.scale * Vec2(c * x - s * p.y(), s * x + c * p.y()) + motion.shift;
+  const double x = motion.mirrored ? -p.x : p.x;
+  return motion.scale * Vec2(c * x - s * p.y, s * x + c * p.y) + motion.shift;
 }
 
 // The reported numbers of teams.
@@ -150,7 +150,7 @@ class Comparer {
   bool alike() const { return out_.str().empty(); }
 
   double apart(const Chord& before, const Chord& after) const {
-    const auto gap = [](const Vec2& p, const Vec2& q) { return (p - q).norm(); };
+    const auto gap = [](const Vec2& p, const Vec2& q) { return length(p - q); };
     const Vec2 r1 = moved(before.r1.position, motion_), r2 = moved(before.r2.position, motion_);
     const Vec2 &s1 = after.r1.position, &s2 = after.r2.position;
     return std::min(std::max(gap(r1, s1), gap(r2, s2)), std::max(gap(r1, s2), gap(r2, s1)));
@@ -275,11 +275,11 @@ bool is_clear_of_refusal(const evenlift::Document& document) {
 std::string text(const evenlift::Document& document, const Motion& motion) {
   std::ostringstream s;
   s << std::setprecision(17) << (motion.mirrored ? "mirrored, " : "") << "turned by "
-    << motion.angle_rad << " rad, scaled by " << motion.scale << ", moved by (" << motion.shift.x()
-    << "," << motion.shift.y() << ")\n";
+    << motion.angle_rad << " rad, scaled by " << motion.scale << ", moved by (" << motion.shift.x
+    << "," << motion.shift.y << ")\n";
   if (document.centre_of_mass)
-    s << "CoM:(" << document.centre_of_mass->x() << "," << document.centre_of_mass->y() << ")\n";
-  for (const Vec2& v : document.vertices) s << "(" << v.x() << "," << v.y() << ")\n";
+    s << "CoM:(" << document.centre_of_mass->x << "," << document.centre_of_mass->y << ")\n";
+  for (const Vec2& v : document.vertices) s << "(" << v.x << "," << v.y << ")\n";
   s << name(document.settings.method) << ", minimum load ratio " << document.settings.min_ratio;
   return s.str();
 }

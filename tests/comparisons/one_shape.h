@@ -15,7 +15,7 @@ struct Motion {
   bool mirrored = false;
   double angle_rad = 0;
   double scale = 1;
-  evenlift::Vec2 shift = evenlift::Vec2::Zero();
+  evenlift::Vec2 shift;
 };
 
 // Any angle, either orientation, a factor that is not a power of two, and a short shift, for a

@@ -26,7 +26,7 @@ namespace {
 
 double reach_of(const Points& points) {
   double reach = 0;
-  for (const Vec2& v : points) reach = std::max(reach, v.cwiseAbs().maxCoeff());
+  for (const Vec2& v : points) reach = std::max(reach, max_norm(v));
   return reach;
 }
 
@@ -36,11 +36,11 @@ std::optional<Document> on_a_grid(const Document& document, double& step) {
   step = std::ldexp(1.0, std::ilogb(reach_of(document.vertices)) - 38);
   Document result = document;
   for (Vec2& v : result.vertices)
-    v = {step * std::round(v.x() / step), step * std::round(v.y() / step)};
+    v = {step * std::round(v.x / step), step * std::round(v.y / step)};
   const auto polygon = Polygon::create(result.vertices);
   if (!polygon) return std::nullopt;
   Vec2 centre = document.centre_of_mass.value_or(polygon->centroid());
-  centre = {step * std::round(centre.x() / step), step * std::round(centre.y() / step)};
+  centre = {step * std::round(centre.x / step), step * std::round(centre.y / step)};
   if (!check_centre_of_mass(*polygon, centre)) return std::nullopt;
   result.centre_of_mass = centre;
   return result;
@@ -49,12 +49,12 @@ std::optional<Document> on_a_grid(const Document& document, double& step) {
 // An exact change of coordinates.
 struct Change {
   double xx = 1, xy = 0, yx = 0, yy = 1;
-  Vec2 shift = Vec2::Zero();
+  Vec2 shift;
   double scale = 1;
 
   Vec2 operator()(const Vec2& p) const {
     // In each sum one term is 0.
-    return Vec2(scale * (xx * p.x() + xy * p.y()), scale * (yx * p.x() + yy * p.y())) + shift;
+    return Vec2(scale * (xx * p.x + xy * p.y), scale * (yx * p.x + yy * p.y)) + shift;
   }
   bool mirrors() const { return xx * yy - xy * yx < 0; }
   bool keeps_axes() const { return xx == 1 && yy == 1; }
@@ -70,8 +70,8 @@ std::string text(const Document& document) {
   std::ostringstream s;
   s << std::setprecision(17);
   if (document.centre_of_mass)
-    s << "CoM:(" << document.centre_of_mass->x() << "," << document.centre_of_mass->y() << ")\n";
-  for (const Vec2& v : document.vertices) s << "(" << v.x() << "," << v.y() << ")\n";
+    s << "CoM:(" << document.centre_of_mass->x << "," << document.centre_of_mass->y << ")\n";
+  for (const Vec2& v : document.vertices) s << "(" << v.x << "," << v.y << ")\n";
   s << name(document.settings.method) << ", teams " << document.settings.teams.value_or(0)
     << ", minimum load ratio " << document.settings.min_ratio;
   return s.str();
@@ -83,10 +83,10 @@ class Comparison {
       : a_(std::move(before)), b_(std::move(after)), change_(change), exact_(exact) {
     Vec2 low = a_.vertices().front(), high = low;
     for (const Vec2& v : a_.vertices()) {
-      low = low.cwiseMin(v);
-      high = high.cwiseMax(v);
+      low = componentwise_min(low, v);
+      high = componentwise_max(high, v);
     }
-    size_ = change.scale * std::hypot(high.x() - low.x(), high.y() - low.y());
+    size_ = change.scale * std::hypot(high.x - low.x, high.y - low.y);
     // Twice the tolerance for each end, which another merged chord may represent; and positions are
     // rounded at their absolute place.
     rounding_ = 1e-12 * size_ + 4 * 0x1p-52 * reach_of(b_.vertices());
@@ -186,11 +186,11 @@ class Comparison {
       out_ << what << ": " << before << " and now " << after << "\n";
   }
   bool apart(const Vec2& p, const Vec2& q) const {
-    return exact_ ? p != q : !((p - q).norm() <= near_);
+    return exact_ ? p != q : !(length(p - q) <= near_);
   }
 
   double apart(const Chord& before, const Chord& after) const {
-    const auto gap = [](const Vec2& p, const Vec2& q) { return (p - q).norm(); };
+    const auto gap = [](const Vec2& p, const Vec2& q) { return length(p - q); };
     const Vec2 r1 = change_(before.r1.position), r2 = change_(before.r2.position);
     const Vec2 &s1 = after.r1.position, &s2 = after.r2.position;
     return std::min(std::max(gap(r1, s1), gap(r2, s2)), std::max(gap(r1, s2), gap(r2, s1)));
@@ -210,14 +210,14 @@ class Comparison {
     const Vec2 r1 = change_(before.r1.position), r2 = change_(before.r2.position);
     const Vec2 &s1 = after.r1.position, &s2 = after.r2.position;
     const bool swapped =
-        may_swap && !change_.keeps_axes() && (r1 - s1).squaredNorm() > (r1 - s2).squaredNorm();
+        may_swap && !change_.keeps_axes() && squared_length(r1 - s1) > squared_length(r1 - s2);
     if (apart(r1, swapped ? s2 : s1) || apart(r2, swapped ? s1 : s2))
-      out_ << what << " " << i << ": (" << r1.x() << "," << r1.y() << ")-(" << r2.x() << ","
-           << r2.y() << ") and now (" << s1.x() << "," << s1.y() << ")-(" << s2.x() << "," << s2.y()
+      out_ << what << " " << i << ": (" << r1.x << "," << r1.y << ")-(" << r2.x << ","
+           << r2.y << ") and now (" << s1.x << "," << s1.y << ")-(" << s2.x << "," << s2.y
            << ")\n";
     // Another merged chord may touch a vertex where this one does not.
     const double moved =
-        std::max((r1 - (swapped ? s2 : s1)).norm(), (r2 - (swapped ? s1 : s2)).norm());
+        std::max(length(r1 - (swapped ? s2 : s1)), length(r2 - (swapped ? s1 : s2)));
     same_contacts_ = same_contacts_ && moved <= rounding_;
     near("arm", change_.scale * before.arm1, swapped ? after.arm2 : after.arm1, near_);
     near("arm", change_.scale * before.arm2, swapped ? after.arm1 : after.arm2, near_);
@@ -239,7 +239,7 @@ class Comparison {
       double beyond = 0;
       for (std::size_t i = 0; b_.lifting_base.size() > 2 && i < b_.lifting_base.size(); ++i) {
         const Vec2 &u = b_.lifting_base[i], &v = b_.lifting_base[(i + 1) % b_.lifting_base.size()];
-        beyond = std::max(beyond, -cross(v - u, change_(p) - u) / (v - u).norm());
+        beyond = std::max(beyond, -cross(v - u, change_(p) - u) / length(v - u));
       }
       if (beyond > near_) out_ << "a corner of the hull is now " << beyond << " outside\n";
     }
@@ -384,7 +384,7 @@ namespace {
 constexpr double tolerance = 1e-9;
 
 bool same_direction(const Vec2& a, const Vec2& b) {
-  return dot(a, b) > 0 && std::fabs(cross(a, b)) <= 2 * tolerance * a.norm() * b.norm();
+  return dot(a, b) > 0 && std::fabs(cross(a, b)) <= 2 * tolerance * length(a) * length(b);
 }
 
 // Whether the rules treat left and right differently here: a point in the direction of a corner of
@@ -392,7 +392,7 @@ bool same_direction(const Vec2& a, const Vec2& b) {
 bool is_one_sided(const Placement& placement) {
   const Vec2& centre = placement.centre_of_mass;
   double size = 0;
-  for (const Vec2& v : placement.vertices()) size = std::max(size, (v - centre).norm());
+  for (const Vec2& v : placement.vertices()) size = std::max(size, length(v - centre));
   std::vector<Vec2> points;
   for (const Candidate& candidate : placement.candidates) {
     points.push_back(candidate.chord.r1.position - centre);
@@ -403,7 +403,7 @@ bool is_one_sided(const Placement& placement) {
     for (const Vec2& v : placement.vertices()) points.push_back(v - centre);
   for (std::size_t i = 0; i < ends; ++i) {
     for (std::size_t j = i + 1; j < points.size(); ++j) {
-      if (same_direction(points[i], points[j]) && (points[i] - points[j]).norm() > 1e-9 * size)
+      if (same_direction(points[i], points[j]) && length(points[i] - points[j]) > 1e-9 * size)
         return true;
     }
   }

@@ -5,8 +5,9 @@
 #include "evenlift/placement.h"
 #include "evenlift/trace.h"
 #include "kit/catch.h"
-#include "oracle/exact.h"
 #include "oracle/oracle.h"
+#include "oracle/rational.h"
+#include "oracle/vec.h"
 #include "shapes/problem_document.h"
 #include "shapes/small_polygons.h"
 
@@ -14,12 +15,12 @@ using namespace evenlift;
 
 namespace {
 
-using oracle::Exact;
-using oracle::ExactVec;
+using Exact = oracle::Rational;
+using ExactVec = oracle::Vec<Exact>;
 using small_polygons::Case;
 
-oracle::Point point(const Vec2& v) { return {v.x(), v.y()}; }
-ExactVec exact(const Vec2& v) { return oracle::exact(point(v)); }
+oracle::Point point(const Vec2& v) { return {v.x, v.y}; }
+ExactVec exact(const Vec2& v) { return {v.x, v.y}; }
 double rounded(const Exact& v) { return static_cast<double>(v); }
 
 std::optional<Trace> trace_of(const Case& c) {
@@ -34,7 +35,7 @@ std::optional<Trace> trace_of(const Case& c) {
 bool far_away(const Trace& trace) {
   double largest = 0;
   for (const Vec2& v : trace.polygon().vertices())
-    largest = std::max(largest, v.cwiseAbs().maxCoeff());
+    largest = std::max(largest, max_norm(v));
   return largest > 1e4 * trace.polygon().diagonal();
 }
 
@@ -62,12 +63,12 @@ bool joins_vertices(const Trace& trace, const Chord& chord) {
 
 // The ratio of the arms.
 double ratio_of_ends(const Trace& trace, const Chord& chord) {
-  const auto arm = [&](const LiftingPoint& p) {
+  const auto squared_arm = [&](const LiftingPoint& p) {
     const ExactVec u = exact(p.position) - exact(trace.centre);
-    return oracle::length(oracle::real(u));
+    return oracle::dot(u, u);
   };
-  const oracle::Real arm1 = arm(chord.r1), arm2 = arm(chord.r2);
-  return static_cast<double>(arm1 < arm2 ? arm1 / arm2 : arm2 / arm1);
+  const Exact square1 = squared_arm(chord.r1), square2 = squared_arm(chord.r2);
+  return std::sqrt(rounded(square1 < square2 ? square1 / square2 : square2 / square1));
 }
 
 void check_pair(const Trace& trace, std::uint32_t index, int& certain) {
@@ -233,13 +234,12 @@ TEST_CASE("after the contacts of so many robots the regions are the oracle's",
     const auto trace = trace_of(c);
     if (!trace || far_away(*trace)) continue;
     INFO(c.name << ' ' << i);
-    const auto shape = oracle::exact_shape(c.problem);
-    std::vector<oracle::RealVec> points;
+    std::vector<oracle::Point> points;
     for (std::uint32_t robot = 0; robot < 2 * trace->placement.teams.size(); ++robot) {
       const Chord chord = chord_of(trace->placement.teams[robot / 2]);
       const Vec2& p = robot % 2 == 0 ? chord.r1.position : chord.r2.position;
-      points.push_back(oracle::real(exact(p) - exact(trace->centre)));
-      const oracle::Closure closure = oracle::immobilization(*shape, points);
+      points.push_back(point(p));
+      const oracle::Closure closure = oracle::immobilization(c.problem, points);
       if (closure.closest_call.distance < 1e-3) continue;
       std::uint32_t contacts = 0;
       while (contacts < trace->contacts.size() && trace->contacts[contacts].point <= robot)

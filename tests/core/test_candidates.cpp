@@ -28,8 +28,8 @@ std::vector<Candidate> candidates(Points vertices, const std::optional<Vec2>& gi
 }
 
 void is(const Candidate& c, const Vec2& r1, const Vec2& r2, CandidateKind kind, double ratio) {
-  CHECK((c.chord.r1.position - r1).norm() <= 1e-14);
-  CHECK((c.chord.r2.position - r2).norm() <= 1e-14);
+  CHECK(length(c.chord.r1.position - r1) <= 1e-14);
+  CHECK(length(c.chord.r2.position - r2) <= 1e-14);
   CHECK(c.kind == kind);
   CHECK(c.chord.ratio == Approx(ratio).epsilon(1e-15));
 }
@@ -61,7 +61,7 @@ TEST_CASE("the chord between two opposite vertices is a candidate if it is even 
   CHECK(std::none_of(even.begin(), even.end(),
                      [](const Candidate& c) { return is_vertical(c.direction); }));
   const auto has_level = [](const Candidate& c) {
-    return c.between_vertices && c.direction.y() == 0 && c.kind == bisecting;
+    return c.between_vertices && c.direction.y == 0 && c.kind == bisecting;
   };
   CHECK(std::any_of(even.begin(), even.end(), has_level));
 }
@@ -110,8 +110,8 @@ TEST_CASE("a regular hexagon's candidates are its diameters and the midpoint cho
     CHECK(c.kind == (c.between_vertices ? bisecting : midpoint));
     CHECK(c.length == Approx(c.between_vertices ? 2 : 2 * h).epsilon(1e-14));
   }
-  CHECK(found[5].direction.y() > 0);  // the vertical one
-  CHECK(std::fabs(found[5].direction.x()) <= 1e-9);
+  CHECK(found[5].direction.y > 0);  // the vertical one
+  CHECK(std::fabs(found[5].direction.x) <= 1e-9);
 }
 
 TEST_CASE("a pair has a bisecting, midpoint or vertex chord, or none below the ratio",
@@ -181,8 +181,8 @@ TEST_CASE("a lower minimum load ratio only adds candidates", "[candidates][slow]
     for (const Candidate& candidate : few) {
       CHECK(std::any_of(many.begin(), many.end(), [&](const Candidate& other) {
         const double near = 4 * near_distance(polygon->diameter());
-        return (candidate.chord.r1.position - other.chord.r1.position).norm() <= near &&
-               (candidate.chord.r2.position - other.chord.r2.position).norm() <= near;
+        return length(candidate.chord.r1.position - other.chord.r1.position) <= near &&
+               length(candidate.chord.r2.position - other.chord.r2.position) <= near;
       }));
     }
   }
@@ -195,8 +195,8 @@ Candidate made(const Vec2& r1, const Vec2& r2, CandidateKind kind, double ratio 
   Candidate c;
   c.chord.r1.position = r1;
   c.chord.r2.position = r2;
-  c.chord.arm1 = r1.norm();
-  c.chord.arm2 = r2.norm();
+  c.chord.arm1 = length(r1);
+  c.chord.arm2 = length(r2);
   c.chord.ratio = ratio;
   c.kind = kind;
   c.direction = r2 - r1;
@@ -207,7 +207,7 @@ Candidate made(const Vec2& r1, const Vec2& r2, CandidateKind kind, double ratio 
 void sort_by_slope(std::vector<Candidate>& list) {
   std::vector<SlopeKey> keys;
   for (const Candidate& c : list) {
-    const bool right = is_vertical(c.direction) ? c.direction.y() > 0 : c.direction.x() > 0;
+    const bool right = is_vertical(c.direction) ? c.direction.y > 0 : c.direction.x > 0;
     REQUIRE(right);
     keys.push_back(slope_key(c.direction, static_cast<std::uint32_t>(keys.size())));
   }
@@ -251,8 +251,8 @@ TEST_CASE("of chords equally long and equally far to the right, rounding does no
     std::vector<Candidate> one_way{high(rounding), low(0)}, other_way{low(0), high(rounding)};
     sort_by_slope(one_way);
     sort_by_slope(other_way);
-    CHECK(one_way[0].chord.r1.position.y() == 0);
-    CHECK(other_way[0].chord.r1.position.y() == 0);
+    CHECK(one_way[0].chord.r1.position.y == 0);
+    CHECK(other_way[0].chord.r1.position.y == 0);
   }
 }
 

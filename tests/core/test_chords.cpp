@@ -127,9 +127,9 @@ TEST_CASE("a radial edge is met at its ends only and is in no edge pair", "[chor
   REQUIRE(chords.ok());
   std::multiset<double> ends;  // of the chords along the radial edge
   for (const VertexChord& c : *chords) {
-    if (c.chord.r1.position.y() == 2 && c.chord.r2.position.y() == 2) {
+    if (c.chord.r1.position.y == 2 && c.chord.r2.position.y == 2) {
       CHECK(c.chord.r1.position == Vec2(0, 2));
-      ends.insert(c.chord.r2.position.x());
+      ends.insert(c.chord.r2.position.x);
     }
   }
   CHECK(ends == std::multiset<double>{2, 4});
@@ -187,8 +187,8 @@ TEST_CASE("a ray lists each boundary point once", "[chords]") {
   const auto met = [](const Points& vertices) {
     std::vector<double> xs;
     for (const RayCaster::Hit& hit : RayCaster(polygon(vertices), {0, 0}).hits({1, 0})) {
-      CHECK(hit.point.position.y() == 0);
-      xs.push_back(hit.point.position.x());
+      CHECK(hit.point.position.y == 0);
+      xs.push_back(hit.point.position.x);
     }
     return xs;
   };

@@ -125,7 +125,7 @@ TEST_CASE("without form closure both are 0, and without corners the clearance is
 
   Document document;
   document.vertices = regular(60);
-  for (Vec2& v : document.vertices) v.x() *= 2;  // a kind of ellipse, which can be held
+  for (Vec2& v : document.vertices) v.x *= 2;  // a kind of ellipse, which can be held
   document.settings.method = Method::balanced;
   document.settings.robots = 4;
   const Placement placement = placed(document);

@@ -66,7 +66,7 @@ void check(const Polygon& polygon, Rng& rng, int centres) {
   const EvenChords chords(polygon);
   for (int i = 0; i < centres; ++i) {
     const Vec2 centre = any_centre(polygon, rng);
-    INFO("centre " << centre.x() << ", " << centre.y());
+    INFO("centre " << centre.x << ", " << centre.y);
     CHECK(difference(polygon, chords, centre) == "");
     const std::size_t number = chords.count_about(centre, 1'000'000);
     CHECK(number >= chords.about(centre).size());

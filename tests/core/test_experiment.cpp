@@ -281,7 +281,7 @@ TEST_CASE("the fingerprint tells inputs and settings apart", "[experiment]") {
   Document moved = document;
   moved.centre_of_mass = Vec2(400, 500);
   Document longer = document;
-  longer.vertices[1].x() += 1e-9;
+  longer.vertices[1].x += 1e-9;
   std::vector<std::string> all = {experiment::fingerprint(document, {}),
                                   experiment::fingerprint(moved, {}),
                                   experiment::fingerprint(longer, {}),

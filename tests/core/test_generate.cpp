@@ -62,7 +62,7 @@ std::size_t edges_met(const Polygon& polygon, const Vec2& u) {
 std::uint64_t fingerprint(const Points& points) {
   std::uint64_t hash = 14695981039346656037u;
   for (const Vec2& p : points)
-    for (const double value : {p.x(), p.y()}) {
+    for (const double value : {p.x, p.y}) {
       std::uint64_t bits = 0;
       std::memcpy(&bits, &value, sizeof bits);
       for (int byte = 0; byte < 8; ++byte)
@@ -83,8 +83,8 @@ TEST_CASE("every family gives valid counter-clockwise polygons of exactly n vert
           const Polygon polygon = polygon_of(family, n, seed);
           CHECK(polygon.counter_clockwise());
           for (const Vec2& p : polygon.vertices()) {
-            CHECK((p.x() >= 0 && p.x() <= 1000));
-            CHECK((p.y() >= 0 && p.y() <= 1000));
+            CHECK((p.x >= 0 && p.x <= 1000));
+            CHECK((p.y >= 0 && p.y <= 1000));
           }
         }
       for (const std::size_t n : {99u, 100u, 255u, 999u, 1000u, 1001u, 5000u, 65536u}) {
@@ -117,11 +117,11 @@ TEST_CASE("regular polygons stand on a level edge and mirror left to right", "[g
   for (const std::size_t n : {3u, 4u, 5u, 6u, 9u, 30u}) {
     CAPTURE(n);
     const Points p = *generate(Family::regular, n, 1);
-    CHECK(p[0].y() == p[1].y());
+    CHECK(p[0].y == p[1].y);
     for (std::size_t i = 0; i < n; ++i) {
       const Vec2& mirrored = p[(n + 1 - i) % n];
-      CHECK(p[i].x() + mirrored.x() == Approx(1000).margin(1e-9));
-      CHECK(p[i].y() == mirrored.y());
+      CHECK(p[i].x + mirrored.x == Approx(1000).margin(1e-9));
+      CHECK(p[i].y == mirrored.y);
     }
   }
 }
@@ -167,7 +167,7 @@ TEST_CASE("coordinates of up to 1000 vertices have at most three decimals", "[ge
     for (const std::size_t n : {10u, 1000u}) {
       const Points points = *generate(family, n, 2);
       for (const Vec2& p : points)
-        for (const double value : {p.x(), p.y()}) {
+        for (const double value : {p.x, p.y}) {
           const std::string text = shortest(value);
           const std::size_t point = text.find('.');
           CHECK((point == std::string::npos || text.size() - point - 1 <= 3));

@@ -10,7 +10,9 @@
 #include "evenlift/placement.h"
 #include "evenlift/random.h"
 #include "kit/catch.h"
-#include "oracle/exact.h"
+#include "oracle/oracle.h"
+#include "oracle/rational.h"
+#include "oracle/vec.h"
 
 using namespace evenlift;
 
@@ -21,16 +23,18 @@ Points square_of(double side) { return {{0, 0}, {side, 0}, {side, side}, {0, sid
 std::vector<oracle::Point> for_oracle(const Points& vertices) {
   std::vector<oracle::Point> points;
   points.reserve(vertices.size());
-  for (const Vec2& v : vertices) points.push_back({v.x(), v.y()});
+  for (const Vec2& v : vertices) points.push_back({v.x, v.y});
   return points;
 }
 
 double exact_area(const Points& vertices) {
-  const std::vector<oracle::Point> v = for_oracle(vertices);
-  oracle::Exact twice = 0;
-  for (std::size_t i = 0; i < v.size(); ++i)
-    twice += oracle::cross(oracle::exact(v[i]), oracle::exact(v[(i + 1) % v.size()]));
-  return oracle::nearest_double(abs(twice) / 2);
+  const auto exact = [&](std::size_t i) {
+    const Vec2& v = vertices[i % vertices.size()];
+    return oracle::Vec<oracle::Rational>{v.x, v.y};
+  };
+  oracle::Rational twice = 0;
+  for (std::size_t i = 0; i < vertices.size(); ++i) twice += oracle::cross(exact(i), exact(i + 1));
+  return oracle::nearest_double(oracle::abs(twice) / 2);
 }
 
 // The promises of polygon.h, in exact arithmetic.
@@ -38,13 +42,13 @@ void check_promises(const Points& vertices) {
   const Result<Polygon> polygon = Polygon::create(vertices);
   REQUIRE(polygon.ok());
   const Points& v = polygon->vertices();
-  INFO("first vertices (" << v[0].x() << "," << v[0].y() << ") (" << v[1].x() << "," << v[1].y()
-                          << ") (" << v[2].x() << "," << v[2].y() << ")");
+  INFO("first vertices (" << v[0].x << "," << v[0].y << ") (" << v[1].x << "," << v[1].y
+                          << ") (" << v[2].x << "," << v[2].y << ")");
   CHECK(polygon->diagonal() >= min_diagonal);
   CHECK(polygon->area() == exact_area(vertices));
   const oracle::Point centroid = oracle::centroid(for_oracle(vertices));
-  CHECK(polygon->centroid().x() == centroid[0]);
-  CHECK(polygon->centroid().y() == centroid[1]);
+  CHECK(polygon->centroid().x == centroid[0]);
+  CHECK(polygon->centroid().y == centroid[1]);
 }
 
 }  // namespace
@@ -113,7 +117,7 @@ TEST_CASE("random polygons of every thinness keep the promises of polygon.h", "[
       vertices.emplace_back(x, (rng.uniform() - 0.5) * width);
     }
     if (i % 3 == 0)
-      for (Vec2& v : vertices) v = {v.y(), v.x() + 1};
+      for (Vec2& v : vertices) v = {v.y, v.x + 1};
     if (!Polygon::create(vertices).ok()) continue;  // crossed, or beyond the limits
     ++kept;
     check_promises(vertices);
@@ -128,7 +132,7 @@ Points any_sliver(double width, Rng& rng) {
                            {{0, 0}, {4, 0}, {4, 4}, {3, 4}, {3, 1}, {1, 1}, {1, 4}, {0, 4}}};
   Points vertices = shapes[rng.below(std::size(shapes))];
   const bool flat = rng.below(2) == 0;
-  for (Vec2& v : vertices) (flat ? v.y() : v.x()) *= width;
+  for (Vec2& v : vertices) (flat ? v.y : v.x) *= width;
   return vertices;
 }
 

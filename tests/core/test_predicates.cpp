@@ -2,7 +2,6 @@
 // huge and subnormal coordinates.
 #include "evenlift/predicates.h"
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -12,35 +11,28 @@
 #include "exact/dyadic.h"
 #include "kit/catch.h"
 #include "kit/property.h"
+#include "oracle/rational.h"
 
 using namespace evenlift;
 
 namespace {
 
-using Rational = boost::multiprecision::cpp_rational;
-using Integer = boost::multiprecision::cpp_int;
+using oracle::abs;
+using oracle::Rational;
 
-Rational exact(double x) {
-  if (x == 0) return 0;
-  int exponent = 0;
-  const double fraction = std::frexp(x, &exponent);
-  const auto mantissa = static_cast<std::int64_t>(std::ldexp(fraction, 53));
-  exponent -= 53;
-  const Integer power = Integer(1) << std::abs(exponent);
-  return exponent < 0 ? Rational(Integer(mantissa), power) : Rational(Integer(mantissa) * power);
-}
+Rational exact(double x) { return x; }
 
 // Whether the sign is exact and the value accurate to 2^-45, or to the smallest doubles.
 bool right(double value, const Rational& expected) {
   if (expected == 0) return value == 0;
   if ((value > 0) != (expected > 0) || value == 0) return false;
-  if (std::fabs(value) < 0x1p-1000) return boost::multiprecision::abs(expected) < exact(0x1p-999);
-  return boost::multiprecision::abs(exact(value) - expected) * (Integer(1) << 45) <=
-         boost::multiprecision::abs(expected);
+  if (std::fabs(value) < 0x1p-1000) return abs(expected) < exact(0x1p-999);
+  return abs(exact(value) - expected) * 0x1p45 <=
+         abs(expected);
 }
 
 struct Exact {
-  explicit Exact(const Vec2& p) : x(exact(p.x())), y(exact(p.y())) {}
+  explicit Exact(const Vec2& p) : x(exact(p.x)), y(exact(p.y)) {}
   Rational x, y;
 };
 
@@ -80,8 +72,8 @@ Tally check_all(Make make, int number) {
                            right(orient_mirrored(a, b, c, d), exact_mirrored(a, b, c, d));
     tally.add(orient(a, b, c));
     if (all_right) continue;
-    INFO(std::hexfloat << "a " << a.x() << " " << a.y() << ", b " << b.x() << " " << b.y() << ", c "
-                       << c.x() << " " << c.y() << ", d " << d.x() << " " << d.y());
+    INFO(std::hexfloat << "a " << a.x << " " << a.y << ", b " << b.x << " " << b.y << ", c "
+                       << c.x << " " << c.y << ", d " << d.x << " " << d.y);
     CHECK(right(orient(a, b, c), exact_cross(a, b, a, c)));
     CHECK(right(cross_of_differences(a, b, c, d), exact_cross(a, b, c, d)));
     CHECK(right(dot_of_differences(a, b, c, d), exact_dot(a, b, c, d)));
@@ -111,8 +103,8 @@ double nudged(double x, std::mt19937_64& engine) {
   }
 }
 Vec2 nudged(const Vec2& p, std::mt19937_64& engine) {
-  const double x = nudged(p.x(), engine);
-  return {x, nudged(p.y(), engine)};
+  const double x = nudged(p.x, engine);
+  return {x, nudged(p.y, engine)};
 }
 
 }  // namespace
@@ -227,8 +219,8 @@ TEST_CASE("dyadic numbers add, subtract and multiply exactly", "[predicates]") {
     if (std::isnormal(x)) RC_ASSERT(dx.to_double() == x);
     const Rational sum = ex + ey;
     const double rounded = (dx + dy).to_double();
-    RC_ASSERT(boost::multiprecision::abs(exact(rounded) - sum) * (Integer(1) << 52) <=
-              boost::multiprecision::abs(sum) + exact(0x1p-1020));
+    RC_ASSERT(abs(exact(rounded) - sum) * 0x1p52 <=
+              abs(sum) + exact(0x1p-1020));
   });
 }
 
@@ -264,13 +256,12 @@ TEST_CASE("double-double arithmetic keeps a hundred bits", "[predicates]") {
   const auto value = [](const DoubleDouble& d) { return Rational(exact(d.hi) + exact(d.lo)); };
   const auto close = [&](const DoubleDouble& given, const Rational& expected,
                          const Rational& size) {
-    return boost::multiprecision::abs(value(given) - expected) * (Integer(1) << 98) <= size;
+    return abs(value(given) - expected) * 0x1p98 <= size;
   };
   for (int i = 0; i < 2000; ++i) {
     const DoubleDouble a = two_product(unit(engine), unit(engine)),
                        b = two_product(unit(engine), unit(engine));
     const Rational ea = value(a), eb = value(b);
-    const auto abs = [](const Rational& r) { return Rational(boost::multiprecision::abs(r)); };
     CHECK(close(a + b, ea + eb, abs(ea) + abs(eb)));
     CHECK(close(a - b, ea - eb, abs(ea) + abs(eb)));
     CHECK(close(a * b, ea * eb, abs(ea * eb)));

@@ -201,8 +201,8 @@ TEST_CASE("area counts what belongs to the polygon, circle the whole triangle", 
                         {}, 1);
   const auto find = [&](const Vec2& r1, const Vec2& r2) {
     for (std::uint32_t i = 0; i < s.candidates.size(); ++i)
-      if ((s.candidates[i].chord.r1.position - r1).norm() +
-              (s.candidates[i].chord.r2.position - r2).norm() <
+      if (length(s.candidates[i].chord.r1.position - r1) +
+              length(s.candidates[i].chord.r2.position - r2) <
           1e-12)
         return i;
     FAIL("no such candidate");
@@ -222,7 +222,7 @@ TEST_CASE("area counts what belongs to the polygon, circle the whole triangle", 
 
 namespace {
 
-double length_between(const Vec2& p, const Vec2& q) { return (p - q).norm(); }
+double length_between(const Vec2& p, const Vec2& q) { return length(p - q); }
 
 // In either direction.
 bool runs_between(const Chord& chord, const Vec2& p, const Vec2& q) {
@@ -286,7 +286,7 @@ TEST_CASE("distributed teams stand at equal angles around a convex polygon", "[s
         // Every direction counts, so team k is at (k + 1/2) / t of the half turn.
         const double angle = pi * (static_cast<double>(k) + 0.5) / static_cast<double>(teams);
         Vec2 u = chords[k].r2.position - chords[k].r1.position;
-        u /= u.norm();
+        u /= length(u);
         CHECK(std::fabs(cross(u, Vec2(std::cos(angle), std::sin(angle)))) <= 1e-12);
       }
     }
@@ -301,12 +301,12 @@ TEST_CASE("distributed teams keep to directions that meet the boundary on both s
   const auto chords = distributed_teams(s.polygon, s.centre, 7);
   REQUIRE(chords.size() == 7);
   for (const Chord& c : chords) {
-    CHECK(c.r1.position.x() <= 2);
-    CHECK(c.r2.position.x() >= 4);
+    CHECK(c.r1.position.x <= 2);
+    CHECK(c.r2.position.x >= 4);
     // The farthest points are on the outer walls, the top or the bottom.
     for (const Vec2& q : {c.r1.position, c.r2.position}) {
-      const bool outer = std::fabs(q.x()) <= 1e-12 || std::fabs(q.x() - 6) <= 1e-12 ||
-                         std::fabs(q.y()) <= 1e-12 || std::fabs(q.y() - 4) <= 1e-12;
+      const bool outer = std::fabs(q.x) <= 1e-12 || std::fabs(q.x - 6) <= 1e-12 ||
+                         std::fabs(q.y) <= 1e-12 || std::fabs(q.y - 4) <= 1e-12;
       CHECK(outer);
     }
   }
@@ -346,7 +346,7 @@ TEST_CASE("random first ends are spread evenly along the perimeter", "[selection
   for (const Chord& c : chords) {
     for (const LiftingPoint* r : {&c.r1, &c.r2}) {
       ++on_side[r->edge];
-      in_first_half += r->edge == 0 && r->position.x() < 1;
+      in_first_half += r->edge == 0 && r->position.x < 1;
     }
     CHECK(c.ratio == Approx(1).epsilon(1e-12));
   }
@@ -364,9 +364,9 @@ TEST_CASE("a random second end is any of the points across, each as likely", "[s
   int level = 0, between_inner = 0;
   for (const Chord& c : chords) {
     const Vec2 d = c.r2.position - c.r1.position;
-    if (std::fabs(d.y()) > 0.15 * std::fabs(d.x())) continue;
+    if (std::fabs(d.y) > 0.15 * std::fabs(d.x)) continue;
     ++level;
-    between_inner += c.r1.position.x() == Approx(2) && c.r2.position.x() == Approx(4);
+    between_inner += c.r1.position.x == Approx(2) && c.r2.position.x == Approx(4);
   }
   REQUIRE(level > 500);
   // The first end is on an inner wall, the second on one of two.

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "evenlift/generate.h"
@@ -18,11 +17,13 @@
 #include "evenlift/why_not.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
+#include "kit/json.h"
 #include "kit/metrics.h"
 #include "kit/placed.h"
 #include "kit/traced.h"
 
 using namespace evenlift;
+using evenlift::testing::Json;
 using evenlift::testing::placed;
 using evenlift::testing::traced;
 
@@ -189,7 +190,7 @@ TEST_CASE("every step is found again from its kind and item", "[trace][slow]") {
         for (const Figure& figure : figures(trace, detail)) {
           if (figure.points.empty() || !std::isfinite(figure.value)) FAIL(k);
           for (const Vec2& p : figure.points)
-            if (!p.allFinite()) FAIL(k << " " << evenlift::name(figure.kind));
+            if (!is_finite(p)) FAIL(k << " " << evenlift::name(figure.kind));
         }
         for (const Number& number : numbers(trace, detail))
           if (!std::isfinite(number.value)) FAIL(k << " " << number.name);
@@ -213,7 +214,7 @@ TEST_CASE("what is known at a step does not depend on the way to it", "[trace]")
         std::string text = caption(trace, detail) + formula(trace, detail);
         for (const Figure& o : figures(trace, detail)) {
           text += evenlift::name(o.kind);
-          for (const Vec2& p : o.points) text += shortest(p.x()) + "," + shortest(p.y()) + " ";
+          for (const Vec2& p : o.points) text += shortest(p.x) + "," + shortest(p.y) + " ";
           text += shortest(o.value);
         }
         return text;
@@ -675,7 +676,7 @@ TEST_CASE("a trace of robots that were moved by hand says so, and what is true w
 
 TEST_CASE("the JSON of a step has its figures, but for the polygon itself", "[trace][json]") {
   const Trace trace = traced(placed(corpus::polygon("trapezium")));
-  const auto json = nlohmann::json::parse(trace_json(trace));
+  const auto json = Json::parse(trace_json(trace));
   REQUIRE(json.size() == trace.size());
   std::size_t compared = 0;
   for (std::uint32_t k = 0; k < trace.size(); ++k) {
@@ -683,7 +684,7 @@ TEST_CASE("the JSON of a step has its figures, but for the polygon itself", "[tr
     for (const Figure& figure : figures(trace, look_at(trace, k)))
       if (figure.kind != FigureKind::object) expected.emplace_back(name(figure.kind));
     if (expected.size() > 100) continue;
-    for (const auto& object : json[k]["objects"]) found.push_back(object["mark"]);
+    for (const auto& object : json[k]["objects"]) found.push_back(object["mark"].text());
     INFO(k);
     CHECK(found == expected);
     compared += expected.size();

@@ -47,8 +47,8 @@ class AnyNumbers {
 inline Document document_with(AnyNumbers& any) {
   Document document;
   for (const Vec2& corner : Points{{0, 0}, {4, 0}, {4, 1.5}, {1.5, 1.5}, {1.5, 3}, {0, 3}}) {
-    const double x = any.byte() % 8 == 0 ? any.number(corner.x()) : corner.x();
-    const double y = any.byte() % 8 == 0 ? any.number(corner.y()) : corner.y();
+    const double x = any.byte() % 8 == 0 ? any.number(corner.x) : corner.x;
+    const double y = any.byte() % 8 == 0 ? any.number(corner.y) : corner.y;
     document.vertices.emplace_back(x, y);
   }
   if (any.byte() % 8 == 0) {

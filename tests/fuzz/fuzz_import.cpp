@@ -17,11 +17,11 @@ void require_good(const Import& import) {
   std::size_t vertices = 0;
   for (const ImportedShape& shape : import.shapes) {
     vertices += shape.document.vertices.size();
-    for (const Vec2& vertex : shape.document.vertices) fuzz::require(vertex.allFinite());
+    for (const Vec2& vertex : shape.document.vertices) fuzz::require(is_finite(vertex));
     for (const Points& hole : shape.document.holes) {
       vertices += hole.size();
       fuzz::require(!hole.empty());
-      for (const Vec2& vertex : hole) fuzz::require(vertex.allFinite());
+      for (const Vec2& vertex : hole) fuzz::require(is_finite(vertex));
     }
     fuzz::require(!shape.tolerance || *shape.tolerance > 0);
     fuzz::require(!shape.kind.empty() && !describe(shape).empty());

@@ -102,7 +102,7 @@ TEST_CASE("a weight on a square with a hole pulls the centre of mass to it", "[c
   REQUIRE(centre.ok());
   CHECK(centre->own == Vec2(488.0 / 96, 488.0 / 96));
   CHECK(length(centre->all - Vec2(17.0 / 3, 17.0 / 3)) <= 2e-15);  // 5.666667
-  CHECK(centre->all.x() == centre->all.y());
+  CHECK(centre->all.x == centre->all.y);
   CHECK(total_weight(settings) == 120);
 }
 
@@ -114,15 +114,15 @@ TEST_CASE("a motor beyond the plate is carried while the centre of mass is insid
   CHECK(of.area() == oracle::area(problem));
   CHECK(point_of(own) == oracle::centroid(problem));
   CHECK(of.area() == Approx(548165.719341).epsilon(1e-9));
-  CHECK(own.x() == Approx(613.576186).epsilon(1e-9));
-  CHECK(own.y() == Approx(306.788093).epsilon(1e-9));
+  CHECK(own.x == Approx(613.576186).epsilon(1e-9));
+  CHECK(own.y == Approx(306.788093).epsilon(1e-9));
 
   const Settings settings = with_cargo(68, {{{2100, 300}, 12, "motor"}});
   const auto centre = centre_of_mass(of, std::nullopt, settings);
   REQUIRE(centre.ok());
   CHECK(length(centre->all - exact_centre(own, settings)) <= rounding_of(own, settings));
-  CHECK(centre->all.x() == Approx(836.539758).epsilon(1e-9));
-  CHECK(centre->all.y() == Approx(305.769879).epsilon(1e-9));
+  CHECK(centre->all.x == Approx(836.539758).epsilon(1e-9));
+  CHECK(centre->all.y == Approx(305.769879).epsilon(1e-9));
   CHECK(total_weight(settings) == 80);
 
   // The lever: 68 (1220 - 613.576) = w (2100 - 1220), so w = 46.86.
@@ -146,7 +146,7 @@ TEST_CASE("the loads of a plate with its motor add up to the weight of both", "[
     for (const double load : planned_loads(p.teams)) sum += load;
     CHECK(sum == Approx(80));
     CHECK(p.own_centre == p.object.centroid());
-    CHECK(p.centre_of_mass.x() == Approx(836.539758).epsilon(1e-9));
+    CHECK(p.centre_of_mass.x == Approx(836.539758).epsilon(1e-9));
   }
 }
 

@@ -244,7 +244,7 @@ TEST_CASE("supports among holes are refused exactly where a point is in a hole",
     const Box bounds = bounding_box(document.vertices);
     for (int i = 0; i < 30; ++i) {
       const double right = rng.uniform(), up = rng.uniform();
-      const Vec2 at = bounds.low + bounds.size().cwiseProduct(Vec2(right, up));
+      const Vec2 at = bounds.low + componentwise_product(bounds.size(), Vec2(right, up));
       if (placer.distance(at) <= 1e-6 * of.outline().diameter()) continue;
       bool expected = oracle::contains(problem.vertices, testing::point_of(at));
       for (const oracle::Ring& hole : problem.holes) {

@@ -184,7 +184,7 @@ TEST_CASE("a point is around a hole only strictly inside it", "[holes]") {
     for (const Vec2& on_its_rim :
          {Vec2(2, 3), Vec2(4, 3), Vec2(3, 2), Vec2(3, 4), Vec2(2, 2), Vec2(4, 2), Vec2(4, 4),
           Vec2(2, 4), Vec2(6, 6), Vec2(7, 7), Vec2(6, 7), Vec2(6, 8), Vec2(8, 6)}) {
-      INFO(on_its_rim.x() << ", " << on_its_rim.y());
+      INFO(on_its_rim.x << ", " << on_its_rim.y);
       CHECK_FALSE(holed.hole_around(on_its_rim));
     }
     CHECK_FALSE(holed.hole_around({std::nextafter(2, 1), 3}));
@@ -234,7 +234,7 @@ TEST_CASE("neither the direction of a ring, nor where it begins, nor the order o
 TEST_CASE("a mirror image has the same area and coverage, and its centroid is mirrored",
           "[holes][slow]") {
   const auto mirrored = [](Points points) {
-    for (Vec2& v : points) v.x() = -v.x();
+    for (Vec2& v : points) v.x = -v.x;
     return points;
   };
   for (std::uint64_t number = 0; number < 150; ++number) {
@@ -270,8 +270,8 @@ TEST_CASE("an object elsewhere has the same area and coverage", "[holes][slow]")
   // Coordinates are multiples of 2^-20, even 2^25 away.
   const auto on_grid = [](Points points) {
     for (Vec2& v : points)
-      v = {std::ldexp(std::round(std::ldexp(v.x(), 20)), -20),
-           std::ldexp(std::round(std::ldexp(v.y(), 20)), -20)};
+      v = {std::ldexp(std::round(std::ldexp(v.x, 20)), -20),
+           std::ldexp(std::round(std::ldexp(v.y, 20)), -20)};
     return points;
   };
   int compared = 0;

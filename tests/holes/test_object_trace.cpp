@@ -114,7 +114,7 @@ TEST_CASE("the triangles of the centroid have the area of the object", "[trace][
     if (reversed) std::reverse(document.vertices.begin(), document.vertices.end());
     const Trace trace = traced(placed(document));
     double shares = 0;
-    Vec2 centroid = Vec2::Zero();
+    Vec2 centroid;
     const auto add = [&](FigureKind kind) {
       for (const Figure& figure : of_kind(trace, StepKind::centroid, kind)) {
         CHECK(std::fabs(figure.value) ==

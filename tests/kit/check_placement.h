@@ -21,11 +21,11 @@ class Checker {
     Vec2 low = p_.vertices().front(), high = low;
     double reach = 0;
     for (const Vec2& v : p_.vertices()) {
-      low = low.cwiseMin(v);
-      high = high.cwiseMax(v);
-      reach = std::max(reach, v.cwiseAbs().maxCoeff());
+      low = componentwise_min(low, v);
+      high = componentwise_max(high, v);
+      reach = std::max(reach, max_norm(v));
     }
-    size_ = std::hypot(high.x() - low.x(), high.y() - low.y());
+    size_ = std::hypot(high.x - low.x, high.y - low.y);
     near_ = 1e-9 * size_;
     // Only positions are rounded, to doubles at their absolute place.
     rounding_ = 1e-11 * size_ + 8 * 0x1p-52 * reach;
@@ -51,30 +51,30 @@ class Checker {
   double coverage_by_slabs() const {
     if (p_.lifting_base.size() < 3) return 0;
     std::vector<double> ys;
-    for (const Vec2& q : p_.vertices()) ys.push_back(q.y() - c_.y());
-    for (const Vec2& q : p_.lifting_base) ys.push_back(q.y() - c_.y());
+    for (const Vec2& q : p_.vertices()) ys.push_back(q.y - c_.y);
+    for (const Vec2& q : p_.lifting_base) ys.push_back(q.y - c_.y);
     for (std::size_t i = 0; i < n(); ++i) {
       for (std::size_t k = 0; k < p_.lifting_base.size(); ++k) {
         const Vec2 a = v(i) - c_, d = v(i + 1) - v(i), b = h(k) - c_, e = h(k + 1) - h(k);
         const double turn = cross_(d, e);
         if (turn == 0) continue;
         const double s = cross_(b - a, e) / turn, t = cross_(b - a, d) / turn;
-        if (s >= 0 && s <= 1 && t >= 0 && t <= 1) ys.push_back(a.y() + s * d.y());
+        if (s >= 0 && s <= 1 && t >= 0 && t <= 1) ys.push_back(a.y + s * d.y);
       }
     }
     std::sort(ys.begin(), ys.end());
     double covered = 0;
     for (std::size_t i = 1; i < ys.size(); ++i) {
       if (ys[i] > ys[i - 1])
-        covered += (ys[i] - ys[i - 1]) * common_width(0.5 * (ys[i] + ys[i - 1]) + c_.y());
+        covered += (ys[i] - ys[i - 1]) * common_width(0.5 * (ys[i] + ys[i - 1]) + c_.y);
     }
     return covered / area_;
   }
 
  private:
-  static double cross_(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-  static double dot_(const Vec2& a, const Vec2& b) { return a.x() * b.x() + a.y() * b.y(); }
-  static double norm(const Vec2& a) { return std::hypot(a.x(), a.y()); }
+  static double cross_(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
+  static double dot_(const Vec2& a, const Vec2& b) { return a.x * b.x + a.y * b.y; }
+  static double norm(const Vec2& a) { return std::hypot(a.x, a.y); }
   static double to_segment(const Vec2& q, const Vec2& a, const Vec2& b) {
     const Vec2 d = b - a;
     const double s = std::clamp(dot_(q - a, d) / dot_(d, d), 0.0, 1.0);
@@ -121,8 +121,8 @@ class Checker {
            ", arms give ", ratio);
     expect(chord.ratio > 0 && chord.ratio <= 1, name, " has ratio ", chord.ratio);
     const Vec2 d = to2 - to1;
-    const bool vertical = std::fabs(d.x()) <= 1.001e-9 * whole + 2 * rounding_;
-    expect(d.x() > 0 || (vertical && d.y() > 0), name, " runs to the left");
+    const bool vertical = std::fabs(d.x) <= 1.001e-9 * whole + 2 * rounding_;
+    expect(d.x > 0 || (vertical && d.y > 0), name, " runs to the left");
   }
 
   bool at_vertex(const Vec2& q) const {
@@ -152,11 +152,11 @@ class Checker {
         // The slope does not fall: there is no turn to the right by less than 180 degrees.
         const Vec2& before = p_.candidates[i - 1].direction;
         const Vec2& here = candidate.direction;
-        const bool vertical = std::fabs(before.x()) <= 1e-9 * norm(before);
+        const bool vertical = std::fabs(before.x) <= 1e-9 * norm(before);
         const double turn = cross_(before, here) / (norm(before) * norm(here));
         // Two chords may agree only through a third one between them.
         const bool agree = std::fabs(turn) <= 2.002e-9;
-        const bool both_vertical = vertical && std::fabs(here.x()) <= 1.001e-9 * norm(here);
+        const bool both_vertical = vertical && std::fabs(here.x) <= 1.001e-9 * norm(here);
         expect(agree || both_vertical || (turn > 0 && !vertical), name, " is out of order");
       }
       by_x.push_back(i);
@@ -165,7 +165,7 @@ class Checker {
   }
 
   void check_that_no_two_agree(std::vector<std::size_t>& by_x) {
-    const auto x = [&](std::size_t i) { return p_.candidates[i].chord.r1.position.x(); };
+    const auto x = [&](std::size_t i) { return p_.candidates[i].chord.r1.position.x; };
     std::sort(by_x.begin(), by_x.end(), [&](std::size_t i, std::size_t j) { return x(i) < x(j); });
     for (std::size_t k = 0; k < by_x.size(); ++k) {
       for (std::size_t l = k + 1; l < by_x.size() && x(by_x[l]) <= x(by_x[k]) + near_; ++l) {
@@ -287,16 +287,16 @@ class Checker {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t k = 0; k < p_.lifting_base.size(); ++k) {
       const Vec2 &a = h(k), &b = h(k + 1);
-      if ((a.y() < y) == (b.y() < y)) continue;
-      const double x = a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+      if ((a.y < y) == (b.y < y)) continue;
+      const double x = a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
       low = std::min(low, x);
       high = std::max(high, x);
     }
     std::vector<double> xs;
     for (std::size_t i = 0; i < n(); ++i) {
       const Vec2 &a = v(i), &b = v(i + 1);
-      if ((a.y() < y) == (b.y() < y)) continue;
-      xs.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+      if ((a.y < y) == (b.y < y)) continue;
+      xs.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
     }
     std::sort(xs.begin(), xs.end());
     double width = 0;
@@ -324,7 +324,7 @@ class Checker {
     std::vector<Touch> touches;
     const auto touch = [&](const Vec2& q, std::size_t edge) {
       const Vec2 d = v(edge + 1) - v(edge);
-      touches.push_back({q, orientation_ * Vec2(-d.y(), d.x()) / norm(d)});
+      touches.push_back({q, orientation_ * Vec2(-d.y, d.x) / norm(d)});
     };
     for (const Team& team : p_.teams) {
       for (const Robot& robot : team.robots) {
@@ -377,7 +377,7 @@ class Checker {
   static bool some_tangent_is_free(const std::vector<Touch>& all) {
     for (const Touch& rim : all) {
       for (const double sign : {1.0, -1.0}) {
-        const Vec2 u = sign * Vec2(-rim.inward.y(), rim.inward.x());
+        const Vec2 u = sign * Vec2(-rim.inward.y, rim.inward.x);
         const bool free = std::all_of(all.begin(), all.end(), [&](const Touch& t) {
           return dot_(t.inward, u) > 1e-9 || t.inward == rim.inward;
         });
@@ -399,7 +399,7 @@ class Checker {
     const std::string name = sense > 0 ? "the counter-clockwise region" : "the clockwise region";
     expect(region.exists || (!region.has_area && region.clipped.empty()), name, " is and is not");
     for (const Vec2& q : region.clipped) {
-      const double reach = (q - c_).cwiseAbs().maxCoeff();
+      const double reach = max_norm(q - c_);
       expect(reach <= 100 * size_ * (1 + 1e-9), name, " leaves the square");
       // Widened by the tolerance; distant points are less exact. Directions of edges at a straight
       // vertex, and of normal lines beside a region without area, are known within tau.
@@ -435,7 +435,7 @@ class Checker {
     for (const Vec2& q : p_.vertices()) radius = std::max(radius, norm(q - c_));
     std::vector<Wrench> w;
     for (const Touch& t : all) {
-      w.push_back({t.inward.x(), t.inward.y(), cross_(t.position - c_, t.inward) / radius});
+      w.push_back({t.inward.x, t.inward.y, cross_(t.position - c_, t.inward) / radius});
       if (w.size() == 16) break;
     }
     if (all.size() > w.size()) return;
@@ -492,13 +492,13 @@ class Checker {
 // doubles.
 inline Placement in_handy_units(Placement placement) {
   double reach = 0;
-  for (const Vec2& v : placement.vertices()) reach = std::max(reach, v.cwiseAbs().maxCoeff());
+  for (const Vec2& v : placement.vertices()) reach = std::max(reach, max_norm(v));
   const int exponent = std::ilogb(reach);
   if (exponent > -100) return placement;
   const auto scale = [&](double& x) { x = std::ldexp(x, -exponent); };
   const auto scale_point = [&](Vec2& q) {
-    scale(q.x());
-    scale(q.y());
+    scale(q.x);
+    scale(q.y);
   };
   const auto scale_chord = [&](Chord& chord) {
     scale_point(chord.r1.position);

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -12,6 +11,7 @@
 
 #include "evenlift/result.h"
 #include "kit/catch.h"
+#include "kit/json.h"
 
 namespace evenlift::testing {
 
@@ -36,7 +36,7 @@ inline std::vector<Row> read_table(const std::string& file, std::size_t columns)
 }
 
 inline std::string from_json_string(const std::string& cell) {
-  return nlohmann::json::parse(cell).get<std::string>();
+  return Json::parse(cell).text();
 }
 
 inline std::string name_of(ErrorCode code) {

@@ -21,7 +21,7 @@ inline std::uint64_t bits_of(double value) { return std::bit_cast<std::uint64_t>
 inline double double_of(std::uint64_t bits) { return std::bit_cast<double>(bits); }
 
 inline bool same_bits(const Vec2& a, const Vec2& b) {
-  return bits_of(a.x()) == bits_of(b.x()) && bits_of(a.y()) == bits_of(b.y());
+  return bits_of(a.x) == bits_of(b.x) && bits_of(a.y) == bits_of(b.y);
 }
 
 inline bool same_vertices(const Points& a, const Points& b) {
@@ -103,8 +103,8 @@ inline Points random_vertices(Rng& rng, std::size_t n) {
   // Sometimes one vertex is of another kind, as if dragged.
   if (n > 0 && rng.below(3) == 0) {
     const std::size_t dragged = rng.below(n);
-    vertices[dragged].x() = rng.uniform() * 1000;
-    if (rng.below(2) == 0) vertices[dragged].y() = any_double(rng, max_coordinate);
+    vertices[dragged].x = rng.uniform() * 1000;
+    if (rng.below(2) == 0) vertices[dragged].y = any_double(rng, max_coordinate);
   }
   return vertices;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,13 +19,6 @@ inline std::string plainly(std::string text) {
   for (std::size_t at = 0; (at = text.find("\u00A0", at)) != std::string::npos;)
     text.replace(at, std::string("\u00A0").size(), " ");
   return text;
-}
-
-// In their order.
-inline std::vector<std::string> names_in(const nlohmann::ordered_json& json) {
-  std::vector<std::string> names;
-  for (const auto& member : json.items()) names.push_back(member.key());
-  return names;
 }
 
 }  // namespace evenlift::testing

@@ -193,7 +193,7 @@ TEST_CASE("C is found where the robots carry what the scales show", "[task]") {
     REQUIRE(exercise.readings.size() == 3);
     first_readings.insert(exercise.readings[0]);
     double total = 0;
-    Vec2 moment = Vec2::Zero();
+    Vec2 moment;
     for (std::size_t i = 0; i < 3; ++i) {
       total += exercise.readings[i];
       moment += exercise.readings[i] * exercise.start.settings.supports[i];

@@ -512,4 +512,11 @@ Closure immobilization(const ExactShape& shape, const std::vector<RealVec>& lift
   return result;
 }
 
+Closure immobilization(const Problem& problem, const std::vector<Point>& lifting_points) {
+  const std::shared_ptr<const ExactShape> shape = exact_shape(problem);
+  std::vector<RealVec> points;
+  for (const Point& p : lifting_points) points.push_back(real(exact(p) - shape->centre));
+  return immobilization(*shape, points);
+}
+
 }  // namespace oracle

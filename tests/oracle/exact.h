@@ -1,7 +1,9 @@
-// The oracle's numbers, vectors, and tolerance.
+// The oracle's numbers, vectors, and tolerance. Only the oracle's own files include it, since its numbers take seconds
+// to compile; other tests have rational.h.
 #pragma once
 
 #include "oracle/oracle.h"
+#include "oracle/vec.h"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
@@ -17,37 +19,9 @@ using Exact = mp::number<mp::cpp_rational_backend, mp::et_off>;
 /// 100 digits, for roots, and for quantities compared with a tolerance or reported.
 using Real = mp::number<mp::cpp_bin_float<100>, mp::et_off>;
 
-template <class T>
-struct Vec {
-  T x, y;
-  friend Vec operator+(const Vec& a, const Vec& b) { return {a.x + b.x, a.y + b.y}; }
-  friend Vec operator-(const Vec& a, const Vec& b) { return {a.x - b.x, a.y - b.y}; }
-  friend Vec operator*(const Vec& a, const T& k) { return {a.x * k, a.y * k}; }
-  friend Vec operator-(const Vec& a) { return {-a.x, -a.y}; }
-  friend bool operator==(const Vec& a, const Vec& b) { return a.x == b.x && a.y == b.y; }
-};
-
 using ExactVec = Vec<Exact>;
 using RealVec = Vec<Real>;
 
-/// Positive if b is to the left of a.
-template <class T>
-T cross(const Vec<T>& a, const Vec<T>& b) {
-  return a.x * b.y - a.y * b.x;
-}
-template <class T>
-T dot(const Vec<T>& a, const Vec<T>& b) {
-  return a.x * b.x + a.y * b.y;
-}
-/// Positive if c is to the left of a -> b.
-template <class T>
-T orient(const Vec<T>& a, const Vec<T>& b, const Vec<T>& c) {
-  return cross(b - a, c - a);
-}
-template <class T>
-int sign(const T& v) {
-  return v > 0 ? 1 : v < 0 ? -1 : 0;
-}
 inline Real length(const RealVec& v) { return sqrt(dot(v, v)); }
 inline RealVec real(const ExactVec& v) { return {Real(v.x), Real(v.y)}; }
 inline ExactVec exact(const Point& p) { return {Exact(p[0]), Exact(p[1])}; }

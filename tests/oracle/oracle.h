@@ -190,6 +190,9 @@ struct Judgement {
   Closure closure;
 };
 
+/// Of robots at these points.
+Closure immobilization(const Problem& problem, const std::vector<Point>& lifting_points);
+
 /// Of the teams that `teams` lists.
 Judgement judge(const Problem& problem, const CandidateList& list,
                 const std::vector<std::size_t>& teams);

@@ -79,7 +79,7 @@ TEST_CASE("a team that is moved stays even, on the outline and through C", "[mov
       const auto robot = static_cast<std::size_t>(rng.below(count_robots(placement.teams)));
       const Vec2& c = placement.centre_of_mass;
       const double size = placement.polygon().diagonal(), x = rng.uniform(), y = rng.uniform();
-      const Vec2 to(c.x() + size * (x - 0.5), c.y() + size * (y - 0.5));
+      const Vec2 to(c.x + size * (x - 0.5), c.y + size * (y - 0.5));
       const auto moved = moved_along_range(placement, robot, to);
       if (!moved) continue;
       ++moves;

@@ -12,18 +12,19 @@
 #include "kit/corpus.h"
 #include "kit/placed.h"
 #include "kit/polygons.h"
-#include "oracle/exact.h"
+#include "oracle/rational.h"
+#include "oracle/vec.h"
 #include "shapes/problem_document.h"
 #include "shapes/small_polygons.h"
 
 using namespace evenlift;
 using evenlift::testing::placed;
-using oracle::Exact;
-using oracle::ExactVec;
+using Exact = oracle::Rational;
+using ExactVec = oracle::Vec<Exact>;
 
 namespace {
 
-ExactVec exact(const Vec2& p) { return {Exact(p.x()), Exact(p.y())}; }
+ExactVec exact(const Vec2& p) { return {Exact(p.x), Exact(p.y)}; }
 
 // Relative to C: where the line through C and p meets an edge's line.
 ExactVec on_line(const ExactVec& p, const ExactVec& a, const ExactVec& b) {
@@ -262,8 +263,8 @@ TEST_CASE("the clear part of a range keeps off the corners of both its edges", "
     range.a1 = {1, 1};
     const auto part = clear_part({polygon, corners, 0.5, nullptr}, {0, 0}, range);
     REQUIRE(part);
-    CHECK(chord_at({0, 0}, *part, part->first).r1.position.x() == Approx(-0.5));
-    CHECK(chord_at({0, 0}, *part, part->last).r2.position.x() == Approx(0.5));
+    CHECK(chord_at({0, 0}, *part, part->first).r1.position.x == Approx(-0.5));
+    CHECK(chord_at({0, 0}, *part, part->last).r2.position.x == Approx(0.5));
   }
 }
 

@@ -78,7 +78,7 @@ RobotSet basic_set(Kind kind, Rng& rng, std::size_t m) {
   while (robots.size() < m) {
     switch (kind) {
       case Kind::grid:
-        set.centre = Vec2::Zero();
+        set.centre = Vec2{};
         robots.push_back(on_the_grid(rng, 3));
         break;
       case Kind::on_a_square:
@@ -123,7 +123,7 @@ RobotSet turned(RobotSet set, Rng& rng) {
   const double c = evenlift::cosine(angle), s = evenlift::sine(angle);
   const double mirror = rng.below(2) == 0 ? 1 : -1;
   const auto turn = [&](Vec2& p) {
-    p = Vec2(c * p.x() - s * p.y(), mirror * (s * p.x() + c * p.y()));
+    p = Vec2(c * p.x - s * p.y, mirror * (s * p.x + c * p.y));
   };
   for (Vec2& robot : set.robots) turn(robot);
   turn(set.centre);
@@ -147,9 +147,9 @@ RobotSet make_set(std::uint64_t number, std::size_t most) {
   RobotSet set = basic_set(kind, rng, 1 + rng.below(most));
   switch (rng.below(5)) {
     case 0:  // as small as permitted
-      return scaled_and_shifted(set, 1e-9, Vec2::Zero());
+      return scaled_and_shifted(set, 1e-9, Vec2{});
     case 1:  // as large as permitted
-      return scaled_and_shifted(set, 1e8, Vec2::Zero());
+      return scaled_and_shifted(set, 1e8, Vec2{});
     case 2:  // far away
       return scaled_and_shifted(set, 64, {4649776.25, -512345.5});
     case 3:

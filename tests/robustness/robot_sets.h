@@ -12,7 +12,7 @@ namespace robot_sets {
 struct RobotSet {
   std::string kind;
   evenlift::Points robots;
-  evenlift::Vec2 centre = evenlift::Vec2::Zero();
+  evenlift::Vec2 centre;
   double diameter = 0;  // L: of the robots and C, in place of an object
 };
 

@@ -4,11 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "oracle/exact.h"
+#include "oracle/rational.h"
 
 namespace simplex {
 
-using oracle::Exact;
+using Exact = oracle::Rational;
 using Row = std::vector<Exact>;
 
 // The least cost . x, bounded from below, over x >= 0 with rows x = right; nothing without such x.

@@ -5,7 +5,8 @@
 #include "evenlift/placement.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
-#include "oracle/exact.h"
+#include "oracle/rational.h"
+#include "oracle/vec.h"
 #include "robustness/robot_sets.h"
 
 using namespace evenlift;
@@ -13,8 +14,8 @@ using robot_sets::RobotSet;
 
 namespace {
 
-using oracle::Exact;
-using oracle::ExactVec;
+using Exact = oracle::Rational;
+using ExactVec = oracle::Vec<Exact>;
 
 // Sets of robots, as bits.
 using Mask = std::uint32_t;
@@ -24,10 +25,10 @@ using Mask = std::uint32_t;
 class Subsets {
  public:
   explicit Subsets(const RobotSet& set)
-      : near_square_(square(Exact(oracle::tau) * Exact(set.diameter))) {
+      : near_square_(square(Exact(1) / 1000000000 * Exact(set.diameter))) {
     for (const Vec2& p : set.robots)
       robots_.push_back(
-          {Exact(p.x()) - Exact(set.centre.x()), Exact(p.y()) - Exact(set.centre.y())});
+          {Exact(p.x) - Exact(set.centre.x), Exact(p.y) - Exact(set.centre.y)});
     find_carriers();
     find_sides();
   }
@@ -123,7 +124,7 @@ class Subsets {
 int carried(const RobotSet& set) { return failures_carried(set.robots, set.centre, set.diameter); }
 int steady(const RobotSet& set) { return failures_steady(set.robots, set.centre, set.diameter); }
 
-RobotSet about_origin(Points robots) { return {"by hand", std::move(robots), Vec2::Zero(), 10}; }
+RobotSet about_origin(Points robots) { return {"by hand", std::move(robots), Vec2{}, 10}; }
 
 }  // namespace
 

@@ -9,14 +9,15 @@
 #include "evenlift/failures.h"
 #include "evenlift/hull.h"
 #include "kit/catch.h"
-#include "oracle/exact.h"
+#include "oracle/rational.h"
+#include "oracle/vec.h"
 #include "robustness/best_load.h"
 #include "robustness/robot_sets.h"
 #include "robustness/simplex.h"
 
 using namespace evenlift;
-using oracle::Exact;
-using oracle::ExactVec;
+using Exact = oracle::Rational;
+using ExactVec = oracle::Vec<Exact>;
 using robot_sets::RobotSet;
 
 namespace {
@@ -49,7 +50,7 @@ RobotSet small_set(std::uint64_t number) {
 std::vector<ExactVec> seen(const RobotSet& set) {
   std::vector<ExactVec> robots;
   for (const Vec2& p : set.robots)
-    robots.push_back({Exact(p.x()) - Exact(set.centre.x()), Exact(p.y()) - Exact(set.centre.y())});
+    robots.push_back({Exact(p.x) - Exact(set.centre.x), Exact(p.y) - Exact(set.centre.y)});
   return robots;
 }
 
@@ -151,7 +152,7 @@ std::optional<std::vector<double>> exact_springs(const RobotSet& set) {
 
 // About C, in units of L.
 double moment(const RobotSet& set, const std::vector<double>& loads) {
-  Vec2 sum = Vec2::Zero();
+  Vec2 sum;
   for (std::size_t i = 0; i < loads.size(); ++i)
     sum += loads[i] * (set.robots[i] - set.centre) / set.diameter;
   return length(sum);
@@ -262,7 +263,7 @@ TEST_CASE("cutting planes find the same least greatest load as all pairs of robo
     RobotSet set = robot_sets::make_steady_set(number, 120);
     INFO(number << ", " << set.kind << ", " << set.robots.size() << " robots");
     if (number % 5 == 0)  // long and thin
-      for (Vec2& p : set.robots) p.y() = set.centre.y() + 1e-6 * (p.y() - set.centre.y());
+      for (Vec2& p : set.robots) p.y = set.centre.y + 1e-6 * (p.y - set.centre.y);
     Points at;
     for (const Vec2& p : set.robots) at.push_back(p - set.centre);
     const double by_pairs = best_share_by_pairs(at);

@@ -137,14 +137,14 @@ TEST_CASE("with a robot that fails the others are in equilibrium, on what is lef
         continue;
       }
       double sum = 0;
-      Vec2 moment = Vec2::Zero();
+      Vec2 moment;
       const std::vector<LiftingPoint> points = lifting_points(failing.teams);
       for (std::size_t i = 0; i < loads.size(); ++i) {
         sum += loads[i];
         moment += loads[i] * (points[i].position - placement.centre_of_mass);
       }
       CHECK(std::abs(sum - 100) < 1e-9 * 100);
-      CHECK(moment.norm() < 1e-9 * 100 * placement.polygon().diagonal());
+      CHECK(length(moment) < 1e-9 * 100 * placement.polygon().diagonal());
       CHECK(failing.loads->max == rests[robot]->greatest_by_springs);
       CHECK(failing.loads->min > -1e-12);
       CHECK(failing.coverage <= placement.coverage + 1e-12);

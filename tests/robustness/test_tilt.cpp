@@ -116,7 +116,7 @@ TEST_CASE("where another load may stand", "[tilt][extra]") {
   CHECK(bounded->anywhere.value() == Approx(100.0 / 3));
   CHECK(bounded->region.size() == 4);
   for (const Vec2& corner : bounded->region)
-    CHECK(std::fabs(corner.x() - 0.5) + std::fabs(corner.y() - 0.5) == Approx(0.5));
+    CHECK(std::fabs(corner.x - 0.5) + std::fabs(corner.y - 0.5) == Approx(0.5));
   document.shown.carrying.uneven = 1;  // changes each load by 6.25
   document.shown.carrying.give = 4;
   CHECK(extra_load({placement, document.shown})->anywhere.value() == Approx(25));

@@ -119,8 +119,8 @@ TEST_CASE("loads may change by what uneven heights and a tilt do", "[robustness]
   Points hexagon;
   for (int i = 0; i < 6; ++i)
     hexagon.emplace_back(std::cos(i * std::acos(-1.0) / 3), std::sin(i * std::acos(-1.0) / 3));
-  const auto of_six = spring_loads(hexagon, Vec2::Zero(), 2, 600);
-  for (const double by : load_changes(hexagon, Vec2::Zero(), 2, 600, *of_six, {.uneven = 1}).by)
+  const auto of_six = spring_loads(hexagon, Vec2{}, 2, 600);
+  for (const double by : load_changes(hexagon, Vec2{}, 2, 600, *of_six, {.uneven = 1}).by)
     CHECK(by == Approx(400.0 / 3));
 }
 
@@ -152,7 +152,7 @@ TEST_CASE("the worst load while C may be off is that at the worst place of C",
     for (std::size_t robot = 0; robot < set.robots.size(); ++robot) {
       const Vec2 to = set.robots[robot] - set.centre;
       // Loads fall along rays from the robot: C is worst at it, or on the circle.
-      double angle = std::atan2(to.y(), to.x());
+      double angle = std::atan2(to.y, to.x);
       double sampled = length(to) <= reach ? 1 : load_at(robot, angle);
       for (std::size_t i = 0; i < directions; ++i) {
         if (samples[i][robot] <= sampled) continue;

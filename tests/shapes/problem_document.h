@@ -10,7 +10,7 @@
 
 namespace evenlift::testing {
 
-inline oracle::Point point_of(const Vec2& v) { return {v.x(), v.y()}; }
+inline oracle::Point point_of(const Vec2& v) { return {v.x, v.y}; }
 
 inline oracle::Ring ring_of(const Points& points) {
   oracle::Ring ring;

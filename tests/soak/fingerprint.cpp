@@ -69,7 +69,7 @@ Document generated_document(Rng& rng) {
     document.vertices = *std::move(points);
   // Between three vertices, so in the convex hull.
   if (rng.below(3) == 0 && !document.vertices.empty()) {
-    Vec2 sum = Vec2::Zero();
+    Vec2 sum;
     for (int i = 0; i < 3; ++i)
       sum += document.vertices[static_cast<std::size_t>(rng.below(document.vertices.size()))];
     document.centre_of_mass = sum / 3;

@@ -100,7 +100,7 @@ class StandOracle {
   Vec2 outward(std::size_t edge) const {
     const Vec2 p = polygon_.edge_start(edge), q = polygon_.edge_end(edge);
     const Vec2 along = (q - p) / length(q - p);
-    return polygon_.counter_clockwise() ? Vec2(along.y(), -along.x()) : Vec2(-along.y(), along.x());
+    return polygon_.counter_clockwise() ? Vec2(along.y, -along.x) : Vec2(-along.y, along.x);
   }
 
   // Above 0, the condition is kept.
@@ -155,8 +155,8 @@ class StandOracle {
     double nearest = 1e300;
     for_each_edge_but(polygon_.size(), [&](const Vec2& a, const Vec2& b) {
       nearest = std::min(nearest, to_segment(s, a, b));
-      if ((a.y() > s.y()) != (b.y() > s.y()) &&
-          s.x() < a.x() + (s.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+      if ((a.y > s.y) != (b.y > s.y) &&
+          s.x < a.x + (s.y - a.y) / (b.y - a.y) * (b.x - a.x))
         inside = !inside;
     });
     return inside ? nearest : -nearest;
@@ -233,8 +233,8 @@ class StandOracle {
       begin = std::max(begin, std::min(first, last));
       end = std::min(end, std::max(first, last));
     };
-    clip(p.x(), q.x() - p.x(), -half, half);
-    clip(p.y(), q.y() - p.y(), low_y, high_y);
+    clip(p.x, q.x - p.x, -half, half);
+    clip(p.y, q.y - p.y, low_y, high_y);
     return begin <= end;
   }
 

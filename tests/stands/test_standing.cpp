@@ -353,7 +353,7 @@ TEST_CASE("even chords of robots with a size are their even candidates", "[stand
       const Box box = bounding_box(document.vertices);
       for (int k = 0; k < 50; ++k) {
         const double u = rng.uniform(), v = rng.uniform();
-        const Vec2 centre = box.low + Vec2(u * box.size().x(), v * box.size().y());
+        const Vec2 centre = box.low + Vec2(u * box.size().x, v * box.size().y);
         const auto expected = standing_candidates(*polygon, centre, 1, stands);
         REQUIRE(expected.ok());
         const auto found = chords.about(centre);
@@ -381,7 +381,7 @@ TEST_CASE("balanced robots with a size stand where they can, and C stays their c
         if (placed->teams.empty()) continue;
         ++placed_sets;
         check_standing(*placed);
-        Vec2 sum = Vec2::Zero();
+        Vec2 sum;
         for (const LiftingPoint& point : lifting_points(placed->teams)) sum += point.position;
         CHECK(length(sum / robots - placed->centre_of_mass) <= 1e-9 * placed->polygon().diagonal());
       }

@@ -1,4 +1,3 @@
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "evenlift/import.h"
@@ -8,9 +7,11 @@
 #include "evenlift/placement.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
+#include "kit/json.h"
 #include "kit/texts.h"
 
 using namespace evenlift;
+using evenlift::testing::Json;
 using evenlift::testing::occurrences;
 
 namespace {
@@ -38,27 +39,29 @@ TEST_CASE("a picture has every body, hand and marked edge", "[svg][stands]") {
 
 TEST_CASE("JSON says where robots stand and what they cannot use", "[json][stands]") {
   const auto json =
-      nlohmann::json::parse(placement_json(piano({30, 20, 40, 60, 10}, {{37, 0, 1}}), true));
+      Json::parse(placement_json(piano({30, 20, 40, 60, 10}, {{37, 0, 1}}), true));
   CHECK(json["robot"] ==
-        nlohmann::json({{"radius", 30}, {"reach", 20}, {"depth", 40}, {"width", 60}, {"gap", 10}}));
+        Json::parse(
+            R"({"radius": 30, "reach": 20, "depth": 40, "width": 60, "gap": 10})"));
   CHECK(json["no_go"] == "38");
   bool marked = false;
   for (const auto& part : json["unusable"]) {
-    CHECK(part[1].get<double>() < part[2].get<double>());
-    CHECK(part[2].get<double>() <= 1 + 1e-12);
+    CHECK(part[1].number() < part[2].number());
+    CHECK(part[2].number() <= 1 + 1e-12);
     marked = marked || (part[0] == 38 && part[3] == "no_go");
   }
   CHECK(marked);
   REQUIRE(json["robots"].size() == 6);
   for (const auto& robot : json["robots"]) {
-    const Vec2 at(robot["at"][0], robot["at"][1]),
-        contact(robot["contact"][0], robot["contact"][1]),
-        stand(robot["stand"][0], robot["stand"][1]);
+    const auto point = [&](const char* name) {
+      return Vec2(robot[name][0].number(), robot[name][1].number());
+    };
+    const Vec2 at = point("at"), contact = point("contact"), stand = point("stand");
     CHECK(length(at - contact) == Approx(40));
     CHECK(length(stand - contact) == Approx(50));
     CHECK(length(stand - at) == Approx(90));
   }
-  CHECK_FALSE(nlohmann::json::parse(placement_json(piano({}, {}), true)).contains("unusable"));
+  CHECK_FALSE(Json::parse(placement_json(piano({}, {}), true)).contains("unusable"));
   const Placement placement = piano({30, 0, 40, 60.5, 0}, {{37, 0, 1}, {1, 0.25, 0.5}});
   const auto read = read_shapes(placement_json(placement, false));
   REQUIRE(read.ok());

@@ -478,8 +478,8 @@ TEST_CASE("two robots collide as bodies, arms and hands say", "[stands][slow]") 
       (expected ? collide : beside) += 1;
       const LiftingPoint p = stands.lifting_point(a), q = stands.lifting_point(b);
       if (stands.collide(p, q) != expected || stands.collide(q, p) != expected)
-        FAIL("contacts (" << a.position.x() << ", " << a.position.y() << ") and (" << b.position.x()
-                          << ", " << b.position.y() << ")");
+        FAIL("contacts (" << a.position.x << ", " << a.position.y << ") and (" << b.position.x
+                          << ", " << b.position.y << ")");
     }
   }
   CHECK(collide > 10000);

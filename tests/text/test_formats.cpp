@@ -271,8 +271,8 @@ TEST_CASE("every number of JSON is the nearest double", "[formats]") {
     const Document document = read(R"({"type":"Polygon","coordinates":[[[)" + std::string(text) +
                                    ",1],[" + text + "\n,2]]]}");
     REQUIRE(document.vertices.size() == 2);
-    CHECK(bits_of(document.vertices[0].x()) == bits_of(value));
-    CHECK(bits_of(document.vertices[1].x()) == bits_of(value));
+    CHECK(bits_of(document.vertices[0].x) == bits_of(value));
+    CHECK(bits_of(document.vertices[1].x) == bits_of(value));
   }
 }
 
@@ -532,8 +532,8 @@ TEST_CASE("any bytes give a document of finite numbers or one sentence", "[forma
     const Result<Document> document = read_polygon(text);
     if (document.ok()) {
       ++documents;
-      for (const Vec2& vertex : document->vertices) REQUIRE(vertex.allFinite());
-      if (document->centre_of_mass) REQUIRE(document->centre_of_mass->allFinite());
+      for (const Vec2& vertex : document->vertices) REQUIRE(is_finite(vertex));
+      if (document->centre_of_mass) REQUIRE(is_finite(*document->centre_of_mass));
       REQUIRE(same_polygon(read(write_geojson(*document)), *document));
       const Document again = read(write_thesis(*document));
       REQUIRE((same_polygon(again, *document) && again.settings == document->settings));

@@ -68,8 +68,8 @@ TEST_CASE("edges are nowhere farther from a cubic curve than the tolerance", "[i
   for (int i = 0; i < 300; ++i) {
     Vec2 c[4];
     for (Vec2& p : c) {
-      p.x() = rng.uniform() * 100;
-      p.y() = rng.uniform() * 100;
+      p.x = rng.uniform() * 100;
+      p.y = rng.uniform() * 100;
     }
     Outline outline;
     outline.start = c[0];
@@ -106,8 +106,8 @@ TEST_CASE("edges are nowhere farther from an ellipse than the tolerance, whateve
     const double determinant = frame.a * frame.d - frame.b * frame.c;
     for (const Vec2& p : *edges) {
       const Vec2 q = p - Vec2(frame.e, frame.f);
-      const Vec2 unit((frame.d * q.x() - frame.c * q.y()) / determinant,
-                      (frame.a * q.y() - frame.b * q.x()) / determinant);
+      const Vec2 unit((frame.d * q.x - frame.c * q.y) / determinant,
+                      (frame.a * q.y - frame.b * q.x) / determinant);
       if (std::abs(length(unit) - 1) > 1e-6) FAIL("ellipse " << i);
     }
   }
@@ -238,7 +238,7 @@ TEST_CASE("SVG: a size on paper that fits a unit names it, and the coordinates s
           "[import][svg]") {
   const auto unit_of = [](const std::string& size) {
     const Import import = read("<svg " + size + "><path d=\"M0 0H30V40z\"/></svg>");
-    CHECK(import.shapes.at(0).document.vertices.at(1).x() == 30);
+    CHECK(import.shapes.at(0).document.vertices.at(1).x == 30);
     CHECK((import.shapes[0].document.shown.units.length == LengthUnit::none) ==
           import.unit.empty());
     return import.unit;
@@ -289,8 +289,8 @@ TEST_CASE("SVG: an inch is as long in every unit", "[import][svg]") {
     INFO(inch);
     const Points points = only(svg("<rect width='" + std::string(inch) + "' height='1pc'/>"));
     const Vec2 size = bounding_box(points).size();
-    CHECK(size.x() == Approx(96));
-    CHECK(size.y() == Approx(16));
+    CHECK(size.x == Approx(96));
+    CHECK(size.y == Approx(16));
   }
 }
 
@@ -300,10 +300,10 @@ TEST_CASE("SVG: an arc's flags choose among four", "[import][svg]") {
     INFO(flags);
     const Import import = read(path("M0 5A5 5 0 " + std::string(flags) + " 5 0z"), {1e-6});
     const Points& points = import.shapes.at(0).document.vertices;
-    for (const Vec2& p : points) CHECK(std::abs(length(Vec2(p.x(), -p.y()) - centre) - 5) < 1e-9);
+    for (const Vec2& p : points) CHECK(std::abs(length(Vec2(p.x, -p.y) - centre) - 5) < 1e-9);
     const Box box = bounding_box(points);
-    CHECK(length(Vec2(box.low.x(), -box.high.y()) - low) < 1e-5);
-    CHECK(length(Vec2(box.high.x(), -box.low.y()) - high) < 1e-5);
+    CHECK(length(Vec2(box.low.x, -box.high.y) - low) < 1e-5);
+    CHECK(length(Vec2(box.high.x, -box.low.y) - high) < 1e-5);
   };
   check("0 0", {0, 0}, {0, 0}, {5, 5});
   check("0 1", {5, 5}, {0, 0}, {5, 5});
@@ -428,7 +428,7 @@ TEST_CASE("DXF: what is seen from behind is turned round", "[import][dxf]") {
   const Points seen = only(dxf(plain)), mirrored = only(dxf(plain + "230\n-1\n"));
   REQUIRE(seen.size() == mirrored.size());
   for (std::size_t i = 0; i < seen.size(); ++i)
-    CHECK(length(mirrored[i] - Vec2(-seen[i].x(), seen[i].y())) < 1e-12);
+    CHECK(length(mirrored[i] - Vec2(-seen[i].x, seen[i].y)) < 1e-12);
 }
 
 TEST_CASE("DXF: of arcs seen from behind the last one turns round, too", "[import][dxf]") {
@@ -440,7 +440,7 @@ TEST_CASE("DXF: of arcs seen from behind the last one turns round, too", "[impor
     INFO(mirrored);
     REQUIRE(points.size() > 30);
     for (const Vec2& p : points) CHECK(length(p - Vec2(mirrored ? -1 : 1, 0)) == Approx(1));
-    CHECK(bounding_box(points).size().y() == Approx(2));
+    CHECK(bounding_box(points).size().y == Approx(2));
   }
   // Half an ellipse above its axis; from behind, below.
   const std::string half =
@@ -448,10 +448,10 @@ TEST_CASE("DXF: of arcs seen from behind the last one turns round, too", "[impor
   const std::string axis = "0\nLINE\n10\n-1\n20\n0\n11\n1\n21\n0\n";
   const Box above = bounding_box(only(dxf(half + axis))),
             below = bounding_box(only(dxf(half + behind + axis)));
-  CHECK(std::abs(above.low.y()) < 1e-9);
-  CHECK(above.high.y() == Approx(1));
-  CHECK(below.low.y() == Approx(-1));
-  CHECK(std::abs(below.high.y()) < 1e-9);
+  CHECK(std::abs(above.low.y) < 1e-9);
+  CHECK(above.high.y == Approx(1));
+  CHECK(below.low.y == Approx(-1));
+  CHECK(std::abs(below.high.y) < 1e-9);
 }
 
 TEST_CASE("DXF: ellipses and elliptical arcs", "[import][dxf]") {
@@ -481,8 +481,8 @@ TEST_CASE("a B-spline is its pieces", "[import][curves]") {
     for (int i = 0; i < 50; ++i) {
       Points control(degree + 1 + static_cast<std::size_t>(rng.uniform() * 6));
       for (Vec2& p : control) {
-        p.x() = rng.uniform() * 10;
-        p.y() = rng.uniform() * 10;
+        p.x = rng.uniform() * 10;
+        p.y = rng.uniform() * 10;
       }
       std::vector<double> knots(control.size() + degree + 1);
       for (double& knot : knots) knot = std::floor(rng.uniform() * 8);
@@ -504,7 +504,7 @@ TEST_CASE("a B-spline is its pieces", "[import][curves]") {
       REQUIRE(edges);
       for (int s = 0; s < 100; ++s) {
         const double t = first + (last - first) * s / 100;
-        Vec2 p = Vec2::Zero();
+        Vec2 p;
         for (std::size_t k = 0; k < control.size(); ++k)
           p += basis(basis, k, degree, t) * control[k];
         if (distance(*edges, p, false) > 1.001e-3) FAIL("degree " << degree << " at " << t);
@@ -576,9 +576,9 @@ TEST_CASE("DXF: parts are chained whatever their order and direction", "[import]
       Vec2 a = corners[k], b = corners[(k + 1) % corners.size()];
       if (rng.uniform() < 0.5) std::swap(a, b);
       const auto text = [](double v) { return std::to_string(v); };
-      lines.push_back("0\nLINE\n10\n" + text(a.x()) + "\n20\n" +
-                      text(a.y() + 4e-5 * rng.uniform()) + "\n11\n" + text(b.x()) + "\n21\n" +
-                      text(b.y()) + "\n");
+      lines.push_back("0\nLINE\n10\n" + text(a.x) + "\n20\n" +
+                      text(a.y + 4e-5 * rng.uniform()) + "\n11\n" + text(b.x) + "\n21\n" +
+                      text(b.y) + "\n");
     }
     for (std::size_t k = lines.size(); k > 1; --k)
       std::swap(lines[k - 1], lines[static_cast<std::size_t>(rng.uniform() * double(k))]);

@@ -47,15 +47,15 @@ std::string drawing(const std::string& entities, const std::string& blocks = "",
 
 std::string block(const std::string& name, const std::string& content, const Vec2& base = {0, 0},
                   int flags = 0) {
-  return lines({{0, "BLOCK"}, {8, "0"}, {2, name}, {70, flags}, {10, base.x()}, {20, base.y()}}) +
+  return lines({{0, "BLOCK"}, {8, "0"}, {2, name}, {70, flags}, {10, base.x}, {20, base.y}}) +
          content + lines({{0, "ENDBLK"}});
 }
 
 std::string polyline(const Points& points, const std::string& layer = "0") {
   Pairs pairs = {{0, "LWPOLYLINE"}, {8, layer}, {70, 1}};
   for (const Vec2& p : points) {
-    pairs.emplace_back(10, p.x());
-    pairs.emplace_back(20, p.y());
+    pairs.emplace_back(10, p.x);
+    pairs.emplace_back(20, p.y);
   }
   return lines(pairs);
 }
@@ -161,11 +161,11 @@ TEST_CASE("DXF: circles and arcs of a block follow its scale", "[import][dxf]") 
   const Points &circle = import.shapes[0].document.vertices,
                &half = import.shapes[1].document.vertices;
   CHECK(import.shapes[0].kind == "circle");
-  for (const Vec2& p : circle) CHECK((p.x() + 3) * (p.x() + 3) / 36 + p.y() * p.y() == Approx(1));
+  for (const Vec2& p : circle) CHECK((p.x + 3) * (p.x + 3) / 36 + p.y * p.y == Approx(1));
   CHECK(std::abs(signed_area(circle)) == Approx(6 * 3.14159265).epsilon(1e-4));
   CHECK(std::abs(signed_area(half)) == Approx(3 * 3.14159265).epsilon(1e-4));
-  CHECK(bounding_box(half).low.y() == Approx(0).margin(1e-9));
-  CHECK(bounding_box(half).high.y() == Approx(1));
+  CHECK(bounding_box(half).low.y == Approx(0).margin(1e-9));
+  CHECK(bounding_box(half).high.y == Approx(1));
 }
 
 TEST_CASE("DXF: pieces within blocks are joined with others", "[import][dxf]") {
@@ -273,7 +273,7 @@ TEST_CASE("DXF: an old polyline is the curve, not the frame of its spline", "[im
   const auto vertices = [](const std::vector<std::pair<Vec2, int>>& all, int flags) {
     std::string text = lines({{0, "POLYLINE"}, {70, flags}});
     for (const auto& [point, bits] : all)
-      text += lines({{0, "VERTEX"}, {10, point.x()}, {20, point.y()}, {70, bits}});
+      text += lines({{0, "VERTEX"}, {10, point.x}, {20, point.y}, {70, bits}});
     return drawing(text + lines({{0, "SEQEND"}}));
   };
   CHECK(outlines(vertices({{{0, 0}, 16}, {{9, 0}, 16}, {{1, 1}, 8}, {{5, 1}, 8}, {{3, 4}, 8}},
@@ -304,8 +304,8 @@ std::string spline(const Curve& curve) {
   for (const double knot : curve.knots) pairs.emplace_back(40, knot);
   for (const double weight : curve.weights) pairs.emplace_back(41, weight);
   for (const Vec2& p : curve.control) {
-    pairs.emplace_back(10, p.x());
-    pairs.emplace_back(20, p.y());
+    pairs.emplace_back(10, p.x);
+    pairs.emplace_back(20, p.y);
   }
   return drawing(lines(pairs));
 }
@@ -319,7 +319,7 @@ double basis(const std::vector<double>& knots, std::size_t k, std::size_t degree
 }
 
 Vec2 point_at(const Curve& curve, double t) {
-  Vec2 sum = Vec2::Zero();
+  Vec2 sum;
   double total = 0;
   for (std::size_t k = 0; k < curve.control.size(); ++k) {
     const double weight = (curve.weights.empty() ? 1 : curve.weights[k]) *

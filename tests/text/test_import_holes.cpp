@@ -54,7 +54,7 @@ std::string circle(double x, double y, double radius) {
 
 std::string polyline(const Points& points) {
   std::string text = "0\nLWPOLYLINE\n70\n1\n";
-  for (const Vec2& p : points) text += "10\n" + shortest(p.x()) + "\n20\n" + shortest(p.y()) + "\n";
+  for (const Vec2& p : points) text += "10\n" + shortest(p.x) + "\n20\n" + shortest(p.y) + "\n";
   return text;
 }
 
@@ -73,7 +73,7 @@ Points square(double x, double side) {
 Points in_order(Points points) {
   if (signed_area(points) < 0) std::reverse(points.begin(), points.end());
   const auto before = [](const Vec2& a, const Vec2& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+    return a.x != b.x ? a.x < b.x : a.y < b.y;
   };
   std::rotate(points.begin(), std::min_element(points.begin(), points.end(), before), points.end());
   return points;
@@ -83,7 +83,7 @@ std::vector<Points> in_order(const std::vector<Points>& rings) {
   std::vector<Points> all;
   for (const Points& one : rings) all.push_back(in_order(one));
   std::sort(all.begin(), all.end(), [](const Points& a, const Points& b) {
-    return std::pair(a[0].x(), a[0].y()) < std::pair(b[0].x(), b[0].y());
+    return std::pair(a[0].x, a[0].y) < std::pair(b[0].x, b[0].y);
   });
   return all;
 }
@@ -112,7 +112,7 @@ Document random_sheet(Rng& rng) {
       const auto n = static_cast<std::uint32_t>(3 + rng.below(12));
       Points hole = *generate(Family::star, n, rng.below(1u << 30));
       const Box box = bounding_box(hole);
-      const double scale = 8 / std::max(box.size().x(), box.size().y());
+      const double scale = 8 / std::max(box.size().x, box.size().y);
       for (Vec2& p : hole) p = Vec2(cell * x + 1, cell * y + 1) + (p - box.low) * scale;
       if (rng.below(2) == 0) std::reverse(hole.begin(), hole.end());
       sheet.holes.push_back(std::move(hole));
@@ -123,7 +123,7 @@ Document random_sheet(Rng& rng) {
 std::string path_of(const Points& points) {
   std::string text;
   for (const Vec2& p : points)
-    text += (text.empty() ? "M" : "L") + shortest(p.x()) + " " + shortest(-p.y());
+    text += (text.empty() ? "M" : "L") + shortest(p.x) + " " + shortest(-p.y);
   return text + "z";
 }
 
@@ -348,7 +348,7 @@ TEST_CASE("a result with holes and cargo is read back", "[import][json][holes][c
   CHECK(all.centre_of_mass == Vec2(5, 6));
   // The object's centroid with holes, in every bit, counts as none given.
   const Vec2 centroid = object_of(all)->centroid();
-  const std::string pair = "[" + shortest(centroid.x()) + "," + shortest(centroid.y()) + "]";
+  const std::string pair = "[" + shortest(centroid.x) + "," + shortest(centroid.y) + "]";
   CHECK_FALSE(
       document(start + holes + "\"own_centre_of_mass\":" + pair + ",\"centre_of_mass\":[7,7]}")
           .centre_of_mass);
@@ -385,7 +385,7 @@ TEST_CASE("degrees of holes and cargo are converted with the outline", "[import]
       "(8.542,47.3765)\n(8.542,47.377)\nCargo:(8.542,47.377) 3\n",
       project);
   const Document& document = import.shapes[0].document;
-  CHECK(document.settings.cargo[0].at.cwiseAbs().maxCoeff() < 1e-6);
+  CHECK(max_norm(document.settings.cargo[0].at) < 1e-6);
   CHECK(document.holes[0][2] == document.settings.cargo[0].at);
   CHECK(object_of(document).ok());
 }

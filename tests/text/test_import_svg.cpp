@@ -24,7 +24,7 @@ std::string svg(const std::string& inside, const std::string& attributes = "") {
 std::vector<double> widths(const Import& import) {
   std::vector<double> all;
   for (const ImportedShape& shape : import.shapes)
-    all.push_back(bounding_box(shape.document.vertices).size().x());
+    all.push_back(bounding_box(shape.document.vertices).size().x);
   std::sort(all.begin(), all.end());
   return all;
 }
@@ -40,15 +40,15 @@ Box box_of(const std::string& text) {
   INFO(text.substr(0, 400));
   REQUIRE(import.shapes.size() == 1);
   const Box box = bounding_box(import.shapes[0].document.vertices);
-  return {{box.low.x(), -box.high.y()}, {box.high.x(), -box.low.y()}};
+  return {{box.low.x, -box.high.y}, {box.high.x, -box.low.y}};
 }
 
 bool is_box(const Box& box, double left, double top, double right, double bottom) {
-  INFO(box.low.x() << " " << box.low.y() << " " << box.high.x() << " " << box.high.y());
-  CHECK(box.low.x() == Approx(left).margin(1e-9));
-  CHECK(box.low.y() == Approx(top).margin(1e-9));
-  CHECK(box.high.x() == Approx(right).margin(1e-9));
-  CHECK(box.high.y() == Approx(bottom).margin(1e-9));
+  INFO(box.low.x << " " << box.low.y << " " << box.high.x << " " << box.high.y);
+  CHECK(box.low.x == Approx(left).margin(1e-9));
+  CHECK(box.low.y == Approx(top).margin(1e-9));
+  CHECK(box.high.x == Approx(right).margin(1e-9));
+  CHECK(box.high.y == Approx(bottom).margin(1e-9));
   return true;
 }
 
@@ -226,7 +226,7 @@ TEST_CASE("SVG: transforms of CSS are read as those of the attribute", "[import]
     for (const std::string& text :
          {svg(rect(3, "transform='scale(9)' style='transform:" + std::string(css) + "'")),
           svg("<style>rect{transform:" + std::string(css) + "}</style>" + rect(3))})
-      CHECK(is_box(box_of(text), wanted.low.x(), wanted.low.y(), wanted.high.x(), wanted.high.y()));
+      CHECK(is_box(box_of(text), wanted.low.x, wanted.low.y, wanted.high.x, wanted.high.y));
   }
   for (const char* wrong :
        {"translate(50%)", "rotate(3mm)", "matrix(1px,0,0,1,0,0)", "scale3d(1)", "translate(1px"})
@@ -360,8 +360,8 @@ TEST_CASE("SVG: the size on paper decides the unit and the scale", "[import][svg
     CHECK((import.shapes[0].document.shown.units.length == LengthUnit::none) ==
           import.unit.empty());
     const Vec2 extent = bounding_box(import.shapes[0].document.vertices).size();
-    CHECK(extent.x() == Approx(width));
-    CHECK(extent.y() == Approx(height));
+    CHECK(extent.x == Approx(width));
+    CHECK(extent.y == Approx(height));
   };
   // User units of 1/90 inch, 1/100 mm, 1/10000 inch, and points.
   check("width='1000mm' height='500mm' viewBox='0 0 3543.3071 1771.6535'", "millimetres", 8.466667,

@@ -56,7 +56,7 @@ std::vector<DrawnPiece> operator+(std::vector<DrawnPiece> a, const std::vector<D
 Points in_order(Points ring) {
   if (signed_area(ring) < 0) std::reverse(ring.begin(), ring.end());
   const auto before = [](const Vec2& a, const Vec2& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+    return a.x != b.x ? a.x < b.x : a.y < b.y;
   };
   std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end(), before), ring.end());
   return ring;
@@ -117,7 +117,7 @@ TEST_CASE("gaps are closed where something stays open, and told", "[joining][imp
   for (const double gap : {1e-9, 1e-6, 0.0005, 0.002, 0.1}) {
     CAPTURE(gap);
     std::vector<DrawnPiece> pieces = sides(plate);
-    pieces[0].outline.pieces[0].end.x() -= gap;
+    pieces[0].outline.pieces[0].end.x -= gap;
     const Joining joining = join(pieces);
     REQUIRE(joining.outlines.size() == 1);
     CHECK(areas(joining)[0] == Approx(9600).epsilon(1e-3));
@@ -125,7 +125,7 @@ TEST_CASE("gaps are closed where something stays open, and told", "[joining][imp
     if (joining.gap_is_seen) CHECK(joining.gap == Approx(gap));
   }
   std::vector<DrawnPiece> wide = sides(plate);
-  wide[0].outline.pieces[0].end.x() -= 1;
+  wide[0].outline.pieces[0].end.x -= 1;
   CHECK(join(wide).outlines.empty());
   REQUIRE(join(wide).apart);
   CHECK(length(join(wide).apart->first - join(wide).apart->second) == 1);
@@ -135,7 +135,7 @@ TEST_CASE("gaps are closed where something stays open, and told", "[joining][imp
       join({line({0, 0}, {120, 0}), line({120, 0}, {120, 80}), line({120, 80}, {0, 80})}, 90.0);
   CHECK(areas(open) == std::vector{9600.0});
   CHECK(open.gap == 80);
-  wide[0].outline.pieces[0].end.x() += 0.998;
+  wide[0].outline.pieces[0].end.x += 0.998;
   CHECK(join(wide, 0.001).outlines.empty());  // finer than usual
 }
 
@@ -170,7 +170,7 @@ TEST_CASE("any polygon with holes, in pieces, comes back", "[joining][import][sl
     const auto n = static_cast<std::uint32_t>(4 + random.below(30));
     const Points outline = *generate(Family::star, n, random.below(1u << 30));
     const Box box = bounding_box(outline);
-    const double side = std::max(box.size().x(), box.size().y());
+    const double side = std::max(box.size().x, box.size().y);
     CAPTURE(number, n);
     std::vector<DrawnPiece> pieces = sides(outline);
     // Split in the middle, repeated, reversed, perhaps on two layers, and shuffled.
@@ -199,8 +199,8 @@ TEST_CASE("any polygon with holes, in pieces, comes back", "[joining][import][sl
     // Ends shaken within the safe distance.
     for (DrawnPiece& piece : pieces) {
       const auto shake = [&](Vec2& end) {
-        end.x() += (random.uniform() - 0.5) * 1e-6 * side;
-        end.y() += (random.uniform() - 0.5) * 1e-6 * side;
+        end.x += (random.uniform() - 0.5) * 1e-6 * side;
+        end.y += (random.uniform() - 0.5) * 1e-6 * side;
       };
       shake(piece.outline.start);
       shake(piece.outline.pieces[0].end);
@@ -219,7 +219,7 @@ TEST_CASE("a polygon with holes, drawn in pieces, is read from SVG and DXF",
     const auto n = static_cast<std::uint32_t>(5 + random.below(20));
     const Points outline = *generate(Family::convex, n, random.below(1u << 30));
     // Two small holes about the middle, within a convex polygon.
-    Vec2 middle = Vec2::Zero();
+    Vec2 middle;
     for (const Vec2& corner : outline) middle += corner / static_cast<double>(outline.size());
     double room = 1e300;
     for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -239,12 +239,12 @@ TEST_CASE("a polygon with holes, drawn in pieces, is read from SVG and DXF",
         Vec2 a = loop[i], b = loop[i + 1 == loop.size() ? 0 : i + 1];
         if (random.below(2) == 0) std::swap(a, b);
         svg_parts.push_back(random.below(2) == 0
-                                ? "<line x1='" + number(a.x()) + "' y1='" + number(-a.y()) +
-                                      "' x2='" + number(b.x()) + "' y2='" + number(-b.y()) + "'/>"
-                                : "<path d='M" + number(a.x()) + " " + number(-a.y()) + "L" +
-                                      number(b.x()) + " " + number(-b.y()) + "'/>");
-        dxf_parts.push_back("0\nLINE\n8\nCUT\n10\n" + number(a.x()) + "\n20\n" + number(a.y()) +
-                            "\n11\n" + number(b.x()) + "\n21\n" + number(b.y()) + "\n");
+                                ? "<line x1='" + number(a.x) + "' y1='" + number(-a.y) +
+                                      "' x2='" + number(b.x) + "' y2='" + number(-b.y) + "'/>"
+                                : "<path d='M" + number(a.x) + " " + number(-a.y) + "L" +
+                                      number(b.x) + " " + number(-b.y) + "'/>");
+        dxf_parts.push_back("0\nLINE\n8\nCUT\n10\n" + number(a.x) + "\n20\n" + number(a.y) +
+                            "\n11\n" + number(b.x) + "\n21\n" + number(b.y) + "\n");
         if (random.below(5) == 0) dxf_parts.push_back(dxf_parts.back());
       }
     shuffle(svg_parts, random);

@@ -1,4 +1,3 @@
-#include <nlohmann/json.hpp>
 
 #include "evenlift/generate.h"
 #include "evenlift/output/json.h"
@@ -6,24 +5,24 @@
 #include "evenlift/placement.h"
 #include "exact/bits.h"
 #include "kit/corpus.h"
+#include "kit/json.h"
 #include "kit/placed.h"
 #include "kit/texts.h"
 
 using namespace evenlift;
-using evenlift::testing::names_in;
 using evenlift::testing::placed;
-using nlohmann::ordered_json;
+using evenlift::testing::Json;
 
 namespace {
 
 using evenlift::same_bits;  // of doubles
 
-bool same_bits(const ordered_json& json, const Vec2& point) {
-  return json.size() == 2 && same_bits(json[0].get<double>(), point.x()) &&
-         same_bits(json[1].get<double>(), point.y());
+bool same_bits(const Json& json, const Vec2& point) {
+  return json.size() == 2 && same_bits(json[0].number(), point.x) &&
+         same_bits(json[1].number(), point.y);
 }
 
-bool same_bits(const ordered_json& json, const Points& points) {
+bool same_bits(const Json& json, const Points& points) {
   if (json.size() != points.size()) return false;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!same_bits(json[i], points[i])) return false;
@@ -40,7 +39,7 @@ TEST_CASE("JSON on one line has the same items", "[json]") {
   const std::string line = json::on_one_line(text);
   CHECK(line.find('\n') == std::string::npos);
   CHECK(line.find(",\"") == std::string::npos);
-  CHECK(ordered_json::parse(line) == ordered_json::parse(text));
+  CHECK(Json::parse(line) == Json::parse(text));
 }
 
 TEST_CASE("the JSON of a placement has cli.md's shape", "[json]") {
@@ -49,8 +48,8 @@ TEST_CASE("the JSON of a placement has cli.md's shape", "[json]") {
     Document document = corpus::polygon("thesis-sample-centroid");
     document.settings.method = method;
     const Placement placement = placed(document);
-    const ordered_json plain = ordered_json::parse(placement_json(placement, false));
-    CHECK(names_in(plain) == Names{"polygon",      "centre_of_mass", "own_centre_of_mass",
+    const Json plain = Json::parse(placement_json(placement, false));
+    CHECK(plain.names() == Names{"polygon",      "centre_of_mass", "own_centre_of_mass",
                                    "total_weight", "metric",         "min_ratio",
                                    "weight",       "seed",           "requested_teams",
                                    "teams",        "robots",         "hull",
@@ -58,12 +57,12 @@ TEST_CASE("the JSON of a placement has cli.md's shape", "[json]") {
                                    "goal",         "goal_reached",   "stands",
                                    "verdict",      "clear",          "robustness",
                                    "tilt"});
-    const ordered_json full = ordered_json::parse(placement_json(placement, true));
+    const Json full = Json::parse(placement_json(placement, true));
     CHECK(full.contains("candidates"));
-    CHECK(names_in(full["teams"][0]) == Names{"ends", "ratio", "loads"});
-    CHECK(names_in(full["candidates"][0]) == Names{"ends", "ratio", "kind"});
-    CHECK(names_in(full["loads"]) == Names{"min", "mean", "max", "spread", "max_share", "models"});
-    CHECK(names_in(full["closure"]) == Names{"form_closure", "margin", "clearance", "tolerance",
+    CHECK(full["teams"][0].names() == Names{"ends", "ratio", "loads"});
+    CHECK(full["candidates"][0].names() == Names{"ends", "ratio", "kind"});
+    CHECK(full["loads"].names() == Names{"min", "mean", "max", "spread", "max_share", "models"});
+    CHECK(full["closure"].names() == Names{"form_closure", "margin", "clearance", "tolerance",
                                              "second_order", "free", "clockwise",
                                              "counterclockwise"});
     CHECK(full["metric"] == std::string(name(method)));
@@ -74,7 +73,7 @@ TEST_CASE("the JSON of teams that hold in ranges says so", "[json]") {
   Document document = corpus::polygon("thesis-sample-centroid");
   document.settings.positions = Positions::range;
   document.settings.goal = Goal::hold;
-  const ordered_json json = ordered_json::parse(placement_json(placed(document), true));
+  const Json json = Json::parse(placement_json(placed(document), true));
   CHECK(json["positions"] == "range");
   CHECK(json["goal"] == "hold");
   CHECK(json["goal_reached"] == true);
@@ -88,7 +87,7 @@ TEST_CASE("the JSON of balanced robots says what they were asked for", "[json][b
   Document document = corpus::polygon("grand-piano");
   document.settings.method = Method::balanced;
   document.settings.robots = 5;
-  const ordered_json json = ordered_json::parse(placement_json(placed(document), false));
+  const Json json = Json::parse(placement_json(placed(document), false));
   CHECK(json["metric"] == "balanced");
   CHECK(json["requested_robots"] == 5);
   CHECK(json["goal"] == "hold");
@@ -110,22 +109,22 @@ TEST_CASE("the numbers of the JSON read back to the same doubles", "[json][slow]
     document.settings.weight = 1.0 / 3;
     document.settings.seed = ~std::uint64_t{0};
     const Placement placement = placed(document);
-    const ordered_json json = ordered_json::parse(placement_json(placement, true));
+    const Json json = Json::parse(placement_json(placement, true));
     CHECK(same_bits(json["polygon"], placement.vertices()));
     CHECK(same_bits(json["centre_of_mass"], placement.centre_of_mass));
-    CHECK(same_bits(json["weight"].get<double>(), 1.0 / 3));
-    CHECK(json["seed"].get<std::uint64_t>() == ~std::uint64_t{0});
+    CHECK(same_bits(json["weight"].number(), 1.0 / 3));
+    CHECK(json["seed"].whole_number() == ~std::uint64_t{0});
     CHECK(json["requested_teams"] == 5);
     CHECK(same_bits(json["hull"], placement.lifting_base));
-    CHECK(same_bits(json["coverage"].get<double>(), placement.coverage));
+    CHECK(same_bits(json["coverage"].number(), placement.coverage));
     REQUIRE(json["candidates"].size() == placement.candidates.size());
     REQUIRE(json["teams"].size() == placement.teams.size());
     for (std::size_t i = 0; i < placement.teams.size(); ++i) {
       const Team& team = placement.teams[i];
       CHECK(same_bits(json["teams"][i]["ends"],
                       Points{team.robots[0].point.position, team.robots[1].point.position}));
-      CHECK(same_bits(json["teams"][i]["ratio"].get<double>(), team.ratio));
-      CHECK(same_bits(json["teams"][i]["loads"][1].get<double>(), team.robots[1].load));
+      CHECK(same_bits(json["teams"][i]["ratio"].number(), team.ratio));
+      CHECK(same_bits(json["teams"][i]["loads"][1].number(), team.robots[1].load));
     }
     const Closure& closure = placement.closure;
     CHECK(json["closure"]["free"].empty() == closure.form_closure);
@@ -143,7 +142,7 @@ TEST_CASE("with no team the loads are null and H is empty", "[json]") {
   document.centre_of_mass = Vec2(10, 50);
   const Placement placement = placed(document);
   REQUIRE(placement.teams.empty());
-  const ordered_json json = ordered_json::parse(placement_json(placement, true));
+  const Json json = Json::parse(placement_json(placement, true));
   CHECK(json["candidates"].empty());
   CHECK(json["teams"].empty());
   CHECK(json["hull"].empty());
@@ -151,7 +150,7 @@ TEST_CASE("with no team the loads are null and H is empty", "[json]") {
   CHECK(json["loads"].is_null());
   CHECK(json["closure"]["margin"].is_null());
   CHECK(json["closure"]["free"] ==
-        ordered_json::parse(R"(["clockwise", "counterclockwise", "translation"])"));
+        Json::parse(R"(["clockwise", "counterclockwise", "translation"])"));
 }
 
 TEST_CASE("the JSON of a document holds its polygon and all settings", "[json]") {
@@ -159,9 +158,9 @@ TEST_CASE("the JSON of a document holds its polygon and all settings", "[json]")
   document.settings = {
       .teams = std::nullopt, .method = Method::circle, .min_ratio = 0.25, .weight = 1e9, .seed = 7};
   document.shown = {.overlays = {.candidates = true, .chords = false}, .step = 4};
-  ordered_json json = ordered_json::parse(document_json(document));
+  Json json = Json::parse(document_json(document));
   CHECK(json["polygon"].size() == 11);
-  CHECK(json["centre_of_mass"] == ordered_json::parse("[278, 227]"));
+  CHECK(json["centre_of_mass"] == Json::parse("[278, 227]"));
   CHECK(json["teams"] == "max");
   CHECK(json["metric"] == "circle");
   CHECK(json["min_ratio"] == 0.25);
@@ -173,7 +172,7 @@ TEST_CASE("the JSON of a document holds its polygon and all settings", "[json]")
   document.centre_of_mass.reset();
   document.settings = {};
   document.shown = {};
-  json = ordered_json::parse(document_json(document));
+  json = Json::parse(document_json(document));
   CHECK(json["centre_of_mass"].is_null());
   CHECK(json["teams"] == 3);
   CHECK(json["step"].is_null());

@@ -1,6 +1,5 @@
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "evenlift/link.h"
@@ -9,6 +8,7 @@
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/data_table.h"
+#include "kit/json.h"
 #include "kit/link_checksum.h"
 #include "kit/random_documents.h"
 #include "link/range_coder.h"
@@ -17,6 +17,7 @@
 using namespace evenlift;
 using evenlift::testing::any_double;
 using evenlift::testing::bits_of;
+using evenlift::testing::Json;
 using evenlift::testing::link_characters;
 using evenlift::testing::mutated;
 using evenlift::testing::random_document;
@@ -71,8 +72,8 @@ Document star(std::size_t n, std::uint64_t seed, bool integers) {
   for (const double angle : angles) {
     const double radius = 150 + 350 * rng.uniform();
     const Vec2 vertex(500 + radius * std::cos(angle), 500 + radius * std::sin(angle));
-    document.vertices.emplace_back(integers ? std::round(vertex.x()) : vertex.x(),
-                                   integers ? std::round(vertex.y()) : vertex.y());
+    document.vertices.emplace_back(integers ? std::round(vertex.x) : vertex.x,
+                                   integers ? std::round(vertex.y) : vertex.y);
   }
   return document;
 }
@@ -173,32 +174,32 @@ TEST_CASE("links written before are read for ever", "[link]") {
   for (const auto& row : evenlift::testing::read_table("links_version_1.txt", 2)) {
     INFO(row[0]);
     const Document document = decode(row[0]);
-    const auto held = nlohmann::json::parse(row[1]);
-    const auto same = [](double value, const nlohmann::json& expected) {
-      return bits_of(value) == bits_of(expected.get<double>());
+    const auto held = Json::parse(row[1]);
+    const auto same = [](double value, const Json& expected) {
+      return bits_of(value) == bits_of(expected.number());
     };
     REQUIRE(document.vertices.size() == held["vertices"].size());
     for (std::size_t i = 0; i < document.vertices.size(); ++i) {
-      CHECK(same(document.vertices[i].x(), held["vertices"][i][0]));
-      CHECK(same(document.vertices[i].y(), held["vertices"][i][1]));
+      CHECK(same(document.vertices[i].x, held["vertices"][i][0]));
+      CHECK(same(document.vertices[i].y, held["vertices"][i][1]));
     }
     const auto& centre = held["centre_of_mass"];
     REQUIRE(document.centre_of_mass.has_value() == !centre.is_null());
     if (document.centre_of_mass) {
-      CHECK(same(document.centre_of_mass->x(), centre[0]));
-      CHECK(same(document.centre_of_mass->y(), centre[1]));
+      CHECK(same(document.centre_of_mass->x, centre[0]));
+      CHECK(same(document.centre_of_mass->y, centre[1]));
     }
     const auto& settings = held["settings"];
     if (document.settings.teams) {
-      CHECK(*document.settings.teams == settings["teams"].get<std::uint32_t>());
+      CHECK(*document.settings.teams == settings["teams"].whole_number());
     } else {
       CHECK(settings["teams"] == "max");
     }
     CHECK(settings["metric"] == std::string(name(document.settings.method)));
     CHECK(same(document.settings.min_ratio, settings["min_ratio"]));
     CHECK(same(document.settings.weight, settings["weight"]));
-    CHECK(document.settings.seed == settings["seed"].get<std::uint64_t>());
-    nlohmann::json shown = nlohmann::json::array();
+    CHECK(document.settings.seed == settings["seed"].whole_number());
+    std::vector<std::string> shown;
     const Overlays& overlays = document.shown.overlays;
     if (overlays.candidates) shown.push_back("candidates");
     if (overlays.chords) shown.push_back("chords");
@@ -206,10 +207,10 @@ TEST_CASE("links written before are read for ever", "[link]") {
     if (overlays.clockwise) shown.push_back("clockwise");
     if (overlays.counterclockwise) shown.push_back("counterclockwise");
     if (overlays.tipping) shown.push_back("tipping");
-    CHECK(settings["overlays"] == shown);
+    CHECK(settings["overlays"].texts() == shown);
     REQUIRE(document.shown.step.has_value() == !settings["step"].is_null());
     if (document.shown.step) {
-      CHECK(*document.shown.step == settings["step"].get<std::uint32_t>());
+      CHECK(*document.shown.step == settings["step"].whole_number());
     }
   }
 }
@@ -514,32 +515,32 @@ TEST_CASE("links of version 2 written before are read for ever", "[link]") {
     CHECK(encode(document) == row[0]);
     const Settings& settings = document.settings;
     const Shown& shown = document.shown;
-    const auto held = nlohmann::json::parse(row[1])["settings"];
+    const auto held = Json::parse(row[1])["settings"];
     CHECK(document.vertices.size() == 11);
     CHECK(held["metric"] == std::string(name(settings.method)));
-    CHECK(settings.robots == held.value("robots", 6u));
-    CHECK(shown.com_radius == held.value("com_radius", 0.0));
-    const std::string units = held.value("units", ",kg");
+    CHECK(settings.robots == held.number_or("robots", 6));
+    CHECK(shown.com_radius == held.number_or("com_radius", 0.0));
+    const std::string units = held.text_or("units", ",kg");
     CHECK(name(shown.units.length) ==
           (units.front() == ',' ? "none" : units.substr(0, units.find(','))));
     CHECK(name(shown.units.weight) ==
           (units.find(',') == std::string::npos ? "kg" : units.substr(units.find(',') + 1)));
     REQUIRE(shown.capacity.has_value() == held.contains("capacity"));
-    if (shown.capacity) CHECK(*shown.capacity == held["capacity"].get<double>());
+    if (shown.capacity) CHECK(*shown.capacity == held["capacity"].number());
     const auto& overlays = held["overlays"];
     CHECK(shown.overlays.halo ==
           (std::find(overlays.begin(), overlays.end(), "halo") != overlays.end()));
-    CHECK(settings.survive == held.value("survive", 0u));
-    CHECK(name(settings.positions) == held.value("positions", "best"));
-    CHECK(robot_text(settings.robot) == held.value("robot", "none"));
-    CHECK(no_go_text(settings.no_go) == held.value("no_go", "none"));
-    CHECK(moved_text(document.moved) == held.value("moved", ""));
-    CHECK(settings.min_margin == held.value("min_margin", 0.05));
-    CHECK(settings.weight == held["weight"].get<double>());
+    CHECK(settings.survive == held.number_or("survive", 0));
+    CHECK(name(settings.positions) == held.text_or("positions", "best"));
+    CHECK(robot_text(settings.robot) == held.text_or("robot", "none"));
+    CHECK(no_go_text(settings.no_go) == held.text_or("no_go", "none"));
+    CHECK(moved_text(document.moved) == held.text_or("moved", ""));
+    CHECK(settings.min_margin == held.number_or("min_margin", 0.05));
+    CHECK(settings.weight == held["weight"].number());
     REQUIRE(settings.goal.has_value() == held.contains("goal"));
     if (settings.goal) CHECK(held["goal"] == std::string(name(*settings.goal)));
     REQUIRE(settings.apart.has_value() == held.contains("apart"));
-    if (settings.apart) CHECK(*settings.apart == held["apart"].get<double>());
+    if (settings.apart) CHECK(*settings.apart == held["apart"].number());
   }
 }
 
@@ -645,7 +646,7 @@ TEST_CASE("what no link can carry is refused with its place", "[link][errors]") 
     CHECK(evenlift::testing::is_one_sentence(error.message));
   };
   for (const double bad : {nan, infinity, -infinity, 1.0000000000000002e9, -1e300}) {
-    check([&](Document& d) { d.vertices[2].y() = bad; }, ErrorCode::bad_coordinate, "vertex 3");
+    check([&](Document& d) { d.vertices[2].y = bad; }, ErrorCode::bad_coordinate, "vertex 3");
     check([&](Document& d) { d.centre_of_mass = Vec2(bad, 1); }, ErrorCode::bad_coordinate,
           "centre of mass");
   }

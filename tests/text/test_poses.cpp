@@ -3,20 +3,20 @@
 #include "evenlift/output/poses.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "evenlift/angles.h"
 #include "evenlift/placed_robots.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
+#include "kit/json.h"
 #include "kit/placed.h"
 #include "kit/polygons.h"
 #include "kit/solid.h"
 
 using namespace evenlift;
 using evenlift::testing::placed;
-using nlohmann::json;
+using evenlift::testing::Json;
 
 namespace {
 
@@ -35,19 +35,15 @@ Shown in_units(LengthUnit length, WeightUnit weight) {
   return shown;
 }
 
-// By name, of the message's only pose: its position, then its rotation.
-json numbers_of_pose(const std::string& yaml) {
-  json pose;
-  for (const char* part : {"position", "orientation"}) {
-    std::string text = yaml.substr(yaml.find(std::string(part) + ": {"));
-    text = text.substr(text.find('{'), text.find('}') - text.find('{') + 1);
-    for (const char* name : {"x", "y", "z", "w"}) {
-      const std::size_t at = text.find(std::string(name) + ": ");
-      if (at != std::string::npos) text.replace(at, 1, "\"" + std::string(name) + "\"");
-    }
-    pose[part] = json::parse(text);
+// By name, of the message's only pose: its "position" or its "orientation".
+Json numbers_of_pose(const std::string& yaml, const std::string& part) {
+  std::string text = yaml.substr(yaml.find(part + ": {"));
+  text = text.substr(text.find('{'), text.find('}') - text.find('{') + 1);
+  for (const char* name : {"x", "y", "z", "w"}) {
+    const std::size_t at = text.find(std::string(name) + ": ");
+    if (at != std::string::npos) text.replace(at, 1, "\"" + std::string(name) + "\"");
   }
-  return pose;
+  return Json::parse(text);
 }
 
 }  // namespace
@@ -79,14 +75,14 @@ TEST_CASE("a table has a row for each robot, with its units", "[poses]") {
 }
 
 TEST_CASE("poses in JSON name their frame, origin and units", "[poses]") {
-  const json poses = json::parse(poses_text(one_robot({1, 0}, 0), PoseFormat::json));
+  const Json poses = Json::parse(poses_text(one_robot({1, 0}, 0), PoseFormat::json));
   CHECK(poses["frame"] == "object");
   CHECK(poses["origin"] == "file");
   CHECK(poses["unit"].is_null());
   CHECK(poses["weight_unit"] == "kg");
   REQUIRE(poses["robots"].size() == 1);
-  const json& robot = poses["robots"][0];
-  CHECK(robot == json::parse(R"({"robot": 1, "team": 1, "x": 1, "y": 0, "heading_deg": 90,
+  const Json& robot = poses["robots"][0];
+  CHECK(robot == Json::parse(R"({"robot": 1, "team": 1, "x": 1, "y": 0, "heading_deg": 90,
                                  "direction": [0, 1], "load": 12.5})"));
 }
 
@@ -95,7 +91,7 @@ TEST_CASE("a message of ROS 2 is in metres", "[poses]") {
     const std::string yaml =
         poses_text({one_robot({3, 0}, 0), in_units(unit, WeightUnit::kg)}, PoseFormat::yaml);
     CHECK((yaml.find("has no unit") != std::string::npos) == (unit == LengthUnit::none));
-    return numbers_of_pose(yaml)["position"]["x"].get<double>();
+    return numbers_of_pose(yaml, "position")["x"].number();
   };
   CHECK(x(LengthUnit::none) == 3);
   CHECK(x(LengthUnit::m) == 3);
@@ -109,7 +105,7 @@ TEST_CASE("a heading is above -180 degrees, however little its direction is", "[
   placement.centre_of_mass = {-1, 0.5};
   placement.teams = {Team{{Robot{{{0, 0.5}, 1}, 1, 12.5}}, 1}};
   const PlacedRobot robot = placed_robots(placement).at(0);
-  CHECK(robot.direction.y() < 0);
+  CHECK(robot.direction.y < 0);
   CHECK(robot.heading_deg == 180);
 }
 
@@ -123,9 +119,9 @@ TEST_CASE("a pose's rotation turns x into the heading, wherever the robot stands
                 {{0, 0}, 0, 45}, {{4, 0}, 1, 135}, {{4, 4}, 2, -135}, {{0, 4}, 3, -45}};
   for (const auto& [at, edge, heading_deg] : robots) {
     INFO(heading_deg);
-    const json turn =
-        numbers_of_pose(poses_text(one_robot(at, edge), PoseFormat::yaml))["orientation"];
-    const double z = turn["z"], w = turn["w"];
+    const Json turn =
+        numbers_of_pose(poses_text(one_robot(at, edge), PoseFormat::yaml), "orientation");
+    const double z = turn["z"].number(), w = turn["w"].number();
     CHECK(turn["x"] == 0);
     CHECK(turn["y"] == 0);
     CHECK(w >= 0);
@@ -144,8 +140,8 @@ TEST_CASE("the rotations of all samples' robots are their headings", "[poses]") 
     INFO(name);
     for (const PlacedRobot& robot : placed_robots(placement)) {
       const double angle = robot.heading_deg * pi / 180;
-      CHECK(robot.direction.x() == Approx(cosine(angle)).margin(1e-14));
-      CHECK(robot.direction.y() == Approx(sine(angle)).margin(1e-14));
+      CHECK(robot.direction.x == Approx(cosine(angle)).margin(1e-14));
+      CHECK(robot.direction.y == Approx(sine(angle)).margin(1e-14));
       CHECK(length(robot.direction) == Approx(1).epsilon(1e-15));
     }
   }
@@ -155,6 +151,6 @@ TEST_CASE("a placement without robots has no poses", "[poses]") {
   Placement placement(solid(testing::polygon(testing::square)));
   CHECK(poses_text(placement, PoseFormat::csv) ==
         "robot,team,x,y,heading_deg,load,unit,weight_unit\n");
-  CHECK(json::parse(poses_text(placement, PoseFormat::json))["robots"].empty());
+  CHECK(Json::parse(poses_text(placement, PoseFormat::json))["robots"].empty());
   CHECK(poses_text(placement, PoseFormat::yaml).ends_with("poses: []\n"));
 }

@@ -26,8 +26,8 @@ Real geodesic(const Vec2& from, const Vec2& to) {
   const auto reduced = [](double latitude) {
     return std::atan((1 - flattening) * std::tan(Real(latitude) * degree));
   };
-  const Real u = reduced(from.y()), v = reduced(to.y());
-  const Real between = (Real(to.x()) - Real(from.x())) * degree;
+  const Real u = reduced(from.y), v = reduced(to.y);
+  const Real between = (Real(to.x) - Real(from.x)) * degree;
   Real lambda = between, sine = 0, cosine = 1, arc = 0, square = 1, middle = 0;
   for (int i = 0; i < 50; ++i) {
     const Real across = std::cos(v) * std::sin(lambda),
@@ -57,14 +57,14 @@ Real geodesic(const Vec2& from, const Vec2& to) {
 
 // The relative error of the lengths between 49 places in a square.
 double greatest_error(const Vec2& middle, double side, double* stated) {
-  const double north = side / 111320, east = north / std::cos(middle.y() * 0.017453292519943295);
+  const double north = side / 111320, east = north / std::cos(middle.y * 0.017453292519943295);
   const Vec2 half(east / 2, north / 2);
   const Result<Projection> projection = Projection::about_middle({middle - half, middle + half});
   REQUIRE(projection.ok());
   *stated = projection->error();
   Points places;
   for (int i = -3; i <= 3; ++i)
-    for (int j = -3; j <= 3; ++j) places.push_back(middle + Vec2(i * half.x(), j * half.y()) / 3);
+    for (int j = -3; j <= 3; ++j) places.push_back(middle + Vec2(i * half.x, j * half.y) / 3);
   double greatest = 0;
   for (const Vec2& a : places)
     for (const Vec2& b : places) {
@@ -156,8 +156,8 @@ TEST_CASE("all shapes of a text have one origin, and so has a centre of mass", "
   const Points &first = import.shapes[0].document.vertices,
                &second = import.shapes[1].document.vertices;
   CHECK(first[0] == -second[2]);
-  CHECK(first[1].x() == 0);
-  CHECK(import.shapes[0].document.centre_of_mass == Vec2(first[0].x() / 2, first[0].y()));
+  CHECK(first[1].x == 0);
+  CHECK(import.shapes[0].document.centre_of_mass == Vec2(first[0].x / 2, first[0].y));
 }
 
 TEST_CASE("widths that are off by a thousandth or more are told", "[import]") {

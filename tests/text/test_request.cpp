@@ -1,7 +1,6 @@
 // tests/consumers/check_c.py compares the answers with the program's output.
 #include "evenlift/request.h"
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "evenlift/experiment/outputs.h"
@@ -12,11 +11,12 @@
 #include "evenlift/settings.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
+#include "kit/json.h"
 #include "kit/placed.h"
 
 using namespace evenlift;
 using evenlift::testing::placed;
-using nlohmann::json;
+using evenlift::testing::Json;
 
 namespace {
 
@@ -29,19 +29,18 @@ Document l_document() {
   return document;
 }
 
-json answer_json(const std::string& request) { return json::parse(answer(request)); }
+Json answer_json(const std::string& request) { return Json::parse(answer(request)); }
 
 std::string with(const std::string& members) {
   return "{" + std::string(l_shape) + ", " + members + "}";
 }
 
 // The error in the answer.
-json refusal(const std::string& request) {
-  const json answered = answer_json(request);
+Json refusal(const std::string& request) {
+  const Json answered = answer_json(request);
   INFO(request);
-  REQUIRE(answered.is_object());
-  REQUIRE(answered.size() == 1);
-  return answered.at("error");
+  REQUIRE(answered.names() == std::vector<std::string>{"error"});
+  return answered["error"];
 }
 
 }  // namespace
@@ -63,9 +62,9 @@ TEST_CASE("settings are numbers or texts, and null is as usual", "[request]") {
   CHECK(answer(with(R"("settings": {"teams": 3, "min_ratio": "0.8", "capacity": null})")) == usual);
   CHECK(answer(with(R"("centre_of_mass": null)")) == usual);
   CHECK(answer("{" + std::string(l_shape) + "}") == usual);
-  const json seed =
+  const Json seed =
       answer_json(with(R"("settings": {"metric": "random", "seed": 18446744073709551615})"));
-  CHECK(seed["seed"].get<std::uint64_t>() == 18446744073709551615u);
+  CHECK(seed["seed"].whole_number() == 18446744073709551615u);
 }
 
 TEST_CASE("a polygon may come as text or as a link, whose settings count", "[request]") {
@@ -82,7 +81,7 @@ TEST_CASE("a polygon may come as text or as a link, whose settings count", "[req
 }
 
 TEST_CASE("cargo in the settings replaces that of the text", "[request]") {
-  const json answered = answer_json(
+  const Json answered = answer_json(
       R"j({"text": "(0,0)\n(4,0)\n(4,4)\n(0,4)\nCargo:(1,1) 5 motor\n",
            "settings": {"cargo": [{"at": [2, 2], "weight": 3}]}})j");
   REQUIRE(answered["cargo"].size() == 1);
@@ -110,7 +109,7 @@ TEST_CASE("robots that a link moved to where they cannot stand are the fault of 
   document.settings.method = Method::balanced;
   document.settings.robots = 4;
   document.moved = *read_moved("1:0.5,2:0.5,3:0.5,4:0.75");
-  const json error = refusal("{\"text\": \"" + *encode_link(document) + "\"}");
+  const Json error = refusal("{\"text\": \"" + *encode_link(document) + "\"}");
   CHECK(error["code"] == "bad_setting");
   CHECK(error["message"] ==
         "Robots moved by hand: the centroid of the robots is not the centre of mass");
@@ -145,7 +144,7 @@ TEST_CASE("candidates, pictures and poses are the core's own", "[request]") {
 TEST_CASE("an experiment of requests is that of the program", "[request]") {
   const std::string polygons = "[{\"name\": \"l\", " + std::string(l_shape) +
                                "}, {\"name\": \"bad\", \"text\": \"POLYGON (\"}]";
-  const json answered = answer_json(
+  const Json answered = answer_json(
       "{\"command\": \"experiment\", \"polygons\": " + polygons +
       R"(, "settings": {"samples": 2, "max_teams": 2, "max_balanced": 3, "min_ratio": 0.7}})");
   const experiment::ExperimentSettings settings{0.7, 2, 2, 3};
@@ -163,10 +162,10 @@ TEST_CASE("an experiment of requests is that of the program", "[request]") {
 }
 
 TEST_CASE("a wrong request gets one sentence that says what and where", "[request][errors]") {
-  const json crossing = refusal(R"({"polygon": [[0, 0], [4, 4], [4, 0], [0, 4]]})");
+  const Json crossing = refusal(R"({"polygon": [[0, 0], [4, 4], [4, 0], [0, 4]]})");
   CHECK(crossing["code"] == "edges_cross");
   CHECK(crossing["message"] == "Edges 1 and 3 cross, touch or overlap");
-  CHECK(crossing["place"] == json::parse(R"({"edges": [0, 2]})"));
+  CHECK(crossing["place"] == Json::parse(R"({"edges": [0, 2]})"));
   CHECK(refusal(with(R"("settings": {"teams": 0})"))["place"]["setting"] == "teams");
   CHECK(refusal(with(R"("settings": {"teams": "max", "metric": "random"})"))["code"] ==
         "bad_setting");
@@ -208,13 +207,13 @@ TEST_CASE("a wrong request gets one sentence that says what and where", "[reques
         std::string("\xFF"),
         std::string(200, '['),
         std::string("{\"") + std::string(1, '\0') + "\"}"}) {
-    const json error = refusal(bad);
-    CHECK_FALSE(error["code"].get<std::string>().empty());
-    CHECK_FALSE(error["message"].get<std::string>().empty());
+    const Json error = refusal(bad);
+    CHECK_FALSE(error["code"].text().empty());
+    CHECK_FALSE(error["message"].text().empty());
     CHECK(error.contains("place"));
   }
 }
 
 TEST_CASE("the version is the package's", "[request]") {
-  CHECK(answer_json(R"({"command": "version"})").at("version").get<std::string>().find('.') == 1);
+  CHECK(answer_json(R"({"command": "version"})")["version"].text().find('.') == 1);
 }

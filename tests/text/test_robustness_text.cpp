@@ -1,6 +1,5 @@
 // In JSON and in words.
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "evenlift/output/carrying_words.h"
@@ -8,15 +7,15 @@
 #include "evenlift/output/robustness_words.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
+#include "kit/json.h"
 #include "kit/placed.h"
 #include "kit/polygons.h"
 #include "kit/solid.h"
 #include "kit/texts.h"
 
 using namespace evenlift;
-using evenlift::testing::names_in;
 using evenlift::testing::plainly;
-using nlohmann::ordered_json;
+using evenlift::testing::Json;
 using Names = std::vector<std::string>;
 
 namespace {
@@ -25,10 +24,10 @@ Placement placed(const std::string& name, std::uint32_t teams) {
   return testing::placed(corpus::polygon(name), Method::area, teams);
 }
 
-ordered_json json_of(const Placement& placement, const Shown& shown = {}, bool failures = false) {
+Json json_of(const Placement& placement, const Shown& shown = {}, bool failures = false) {
   std::optional<CapacityInJson> limit;
   if (shown.capacity) limit = CapacityInJson{plan_capacity(placement, *shown.capacity), {}};
-  return ordered_json::parse(placement_json({placement, shown}, false, limit, failures));
+  return Json::parse(placement_json({placement, shown}, false, limit, failures));
 }
 
 RestOfRobots rest(bool steady, double greatest) {
@@ -43,11 +42,11 @@ RestOfRobots rest(bool steady, double greatest) {
 TEST_CASE("the JSON says of each robot where it stands and faces and its load",
           "[json][robustness]") {
   const Placement placement = placed("grand-piano", 3);
-  const ordered_json json = json_of(placement);
+  const Json json = json_of(placement);
   REQUIRE(json["robots"].size() == 6);
   for (std::size_t i = 0; i < 6; ++i) {
-    const ordered_json& robot = json["robots"][i];
-    CHECK(names_in(robot) == Names{"at", "team", "load", "contact", "stand", "heading", "place"});
+    const Json& robot = json["robots"][i];
+    CHECK(robot.names() == Names{"at", "team", "load", "contact", "stand", "heading", "place"});
     CHECK(robot["team"] == i / 2);
     CHECK(robot["at"] == json["teams"][i / 2]["ends"][i % 2]);
     CHECK(robot["load"] == json["teams"][i / 2]["loads"][i % 2]);
@@ -58,20 +57,20 @@ TEST_CASE("the JSON says of each robot where it stands and faces and its load",
 
 TEST_CASE("the JSON always has the loads of all models and the robustness", "[json][robustness]") {
   const Placement placement = placed("grand-piano", 3);
-  const ordered_json json = json_of(placement);
+  const Json json = json_of(placement);
   const auto loads = model_loads(placement);
   REQUIRE(loads);
-  CHECK(names_in(json["loads"]["models"]) == Names{"springs", "best", "worst"});
+  CHECK(json["loads"]["models"].names() == Names{"springs", "best", "worst"});
   CHECK(json["loads"]["models"]["springs"] == loads->springs.loads);
   CHECK(json["loads"]["models"]["best"] == loads->best);
   CHECK(json["loads"]["models"]["worst"] == loads->worst);
-  CHECK(names_in(json["robustness"]) == Names{"com_margin", "failures_carried", "failures_steady",
+  CHECK(json["robustness"].names() == Names{"com_margin", "failures_carried", "failures_steady",
                                               "failures_clear", "load_per_length"});
   CHECK(json["robustness"]["failures_carried"] == 2);
   CHECK(json["robustness"]["failures_steady"] == 1);
   CHECK(json["robustness"]["load_per_length"] == loads->springs.per_length);
   CHECK_FALSE(json.contains("failures"));
-  const ordered_json one_team = json_of(placed("grand-piano", 1));
+  const Json one_team = json_of(placed("grand-piano", 1));
   CHECK(one_team["robustness"]["com_margin"] == 0);
   CHECK(one_team["robustness"]["failures_carried"] == 0);
   CHECK(one_team["robustness"]["failures_steady"] == -1);
@@ -85,16 +84,16 @@ TEST_CASE("without teams the JSON has no robots", "[json][robustness]") {
   const Result<Placement> placement = place(document);
   REQUIRE(placement.ok());
   REQUIRE(placement->teams.empty());
-  const ordered_json json = json_of(*placement, {.com_radius = 1, .capacity = 20}, true);
+  const Json json = json_of(*placement, {.com_radius = 1, .capacity = 20}, true);
   for (const char* name : {"robots", "robustness", "failures"}) CHECK_FALSE(json.contains(name));
   CHECK(json["loads"].is_null());
 }
 
 TEST_CASE("with a C uncertainty the JSON has ranges", "[json][robustness]") {
   const Placement placement = placed("grand-piano", 3);
-  const ordered_json json = json_of(placement, {.com_radius = 20, .capacity = 18.5})["robustness"];
+  const Json json = json_of(placement, {.com_radius = 20, .capacity = 18.5})["robustness"];
   CHECK(json["com_radius"] == 20);
-  CHECK(json["exact_within"].get<double>() > 20);
+  CHECK(json["exact_within"].number() > 20);
   const auto loads = model_loads(placement);
   for (std::size_t i = 0; i < 6; ++i) {
     const double change = 20 * loads->springs.per_length[i];
@@ -105,8 +104,8 @@ TEST_CASE("with a C uncertainty the JSON has ranges", "[json][robustness]") {
     CHECK(json["plan_ranges"][i][1] == Approx(load + change));
   }
   // At the radius that the capacity allows, the greatest load reaches it.
-  const ordered_json capacity = json_of(placement, {.capacity = 18.5})["capacity"];
-  const double radius = capacity["com_radius"].get<double>();
+  const Json capacity = json_of(placement, {.capacity = 18.5})["capacity"];
+  const double radius = capacity["com_radius"].number();
   double greatest = 0;
   for (std::size_t i = 0; i < 6; ++i)
     greatest = std::max(greatest, loads->springs.loads[i] + radius * loads->springs.per_length[i]);
@@ -142,24 +141,24 @@ TEST_CASE("with a C uncertainty the first sentence has the ranges, of balanced r
 }
 
 TEST_CASE("with failures the JSON has a row for each robot", "[json][robustness]") {
-  const ordered_json json = json_of(placed("grand-piano", 3), {}, true);
+  const Json json = json_of(placed("grand-piano", 3), {}, true);
   REQUIRE(json["failures"].size() == 6);
   for (std::size_t i = 0; i < 6; ++i) {
-    const ordered_json& row = json["failures"][i];
-    CHECK(names_in(row) == Names{"robot", "carried", "steady", "clear", "com_margin", "coverage",
+    const Json& row = json["failures"][i];
+    CHECK(row.names() == Names{"robot", "carried", "steady", "clear", "com_margin", "coverage",
                                  "form_closure", "margin", "plan_max", "springs_max", "best_max",
                                  "springs"});
-    const std::vector<double> springs = row["springs"];
+    const std::vector<double> springs = row["springs"].numbers();
     REQUIRE(springs.size() == 6);
     CHECK(springs[i] == 0);
     CHECK(std::accumulate(springs.begin(), springs.end(), 0.0) == Approx(100));
     CHECK(row["springs_max"] == *std::max_element(springs.begin(), springs.end()));
     CHECK(row["robot"] == i);
     CHECK(row["carried"] == true);
-    CHECK(row["best_max"] <= row["springs_max"]);
+    CHECK(row["best_max"].number() <= row["springs_max"].number());
   }
-  const ordered_json one_team = json_of(placed("grand-piano", 1), {}, true);
-  for (const ordered_json& row : one_team["failures"]) {
+  const Json one_team = json_of(placed("grand-piano", 1), {}, true);
+  for (const Json& row : one_team["failures"]) {
     CHECK(row["carried"] == false);
     CHECK(row["steady"] == false);
     CHECK(row["clear"] == false);
@@ -172,12 +171,12 @@ TEST_CASE("with failures the JSON has a row for each robot", "[json][robustness]
 TEST_CASE("a row of failures has the numbers of what is left without that robot",
           "[json][robustness]") {
   const Placement placement = placed("grand-piano", 3);
-  const ordered_json json = json_of(placement, {}, true);
+  const Json json = json_of(placement, {}, true);
   const auto failures = single_failures(placement);
   REQUIRE(failures.size() == 6);
   for (std::size_t i = 0; i < 6; ++i) {
     INFO(i);
-    const ordered_json& row = json["failures"][i];
+    const Json& row = json["failures"][i];
     REQUIRE(failures[i]);
     CHECK(row["steady"] == failures[i]->steady);
     CHECK(row["clear"] == failures[i]->clear);

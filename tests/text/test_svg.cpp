@@ -66,7 +66,7 @@ void check_picture(const std::string& svg) {
 }
 
 bool overlap(const labels::Box& a, const labels::Box& b) {
-  return (a.low.array() < b.high.array()).all() && (b.low.array() < a.high.array()).all();
+  return a.low.x < b.high.x && a.low.y < b.high.y && b.low.x < a.high.x && b.low.y < a.high.y;
 }
 
 }  // namespace
@@ -115,8 +115,8 @@ TEST_CASE("a tally counts a team in fives and ones, side by side and away from C
   CHECK((strokes[0].five && strokes[1].five && !strokes[2].five && !strokes[3].five));
   const Vec2 out(0.6, 0.8);
   for (const auto& [line, five] : strokes) {
-    CHECK((line.from - Vec2(100, 50)).dot(out) == Approx(10));
-    CHECK((line.to - line.from).dot(out) == Approx((line.to - line.from).norm()));
+    CHECK(dot(line.from - Vec2(100, 50), out) == Approx(10));
+    CHECK(dot(line.to - line.from, out) == Approx(length(line.to - line.from)));
   }
   CHECK(tally(0, {0, 0}, {1, 0}, 10).empty());
   CHECK(tally(1, {0, 0}, {0, 0}, 10).size() == 1);

@@ -265,13 +265,13 @@ TEST_CASE("one of three balanced robots is moved by hand, and the others follow"
   give(state, MoveRobot{0, before[0].position + along * 0.02});
   REQUIRE(by_hand(state));
   const std::vector<LiftingPoint> now = standing(state);
-  Vec2 sum = Vec2::Zero();
+  Vec2 sum;
   for (std::size_t i = 0; i < 3; ++i) {
-    CHECK((now[i].position - before[i].position).norm() > 0);
+    CHECK(length(now[i].position - before[i].position) > 0);
     sum += now[i].position;
   }
   const double size = state.derived().placement->polygon().diagonal();
-  CHECK((sum / 3 - state.derived().placement->centre_of_mass).norm() < 1e-9 * size);
+  CHECK(length(sum / 3 - state.derived().placement->centre_of_mass) < 1e-9 * size);
   CHECK(state.derived().placement->loads->spread == 0);
   CHECK(state.work.history.undoes() == Edit::robots_moved);
   CHECK(link_lacks_in_words(state).empty());
@@ -324,9 +324,9 @@ TEST_CASE("a balanced robot stops where the others cannot follow", "[view][balan
     give(state, MoveRobot{1, vertices[i]});
     const bool stays = robots_text(standing(state)) == robots_text(before);
     ++(stays ? stopped : moved);
-    Vec2 sum = Vec2::Zero();
+    Vec2 sum;
     for (const LiftingPoint& robot : standing(state)) sum += robot.position;
-    CHECK((sum / 3 - centre).norm() < 1e-9 * state.derived().placement->polygon().diagonal());
+    CHECK(length(sum / 3 - centre) < 1e-9 * state.derived().placement->polygon().diagonal());
     if (!stays) CHECK(standing(state)[1].position == vertices[i]);
     // The outline is marked as blocked for the robot up to the requested place.
     CHECK(state.view.closed_to.has_value() == stays);

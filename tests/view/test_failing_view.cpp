@@ -135,7 +135,7 @@ TEST_CASE("keys let one robot after another fail, and Esc brings all back", "[vi
   }
   page.press({"F"});
   CHECK_FALSE(failing(state));
-  give(state, Explain{Pick{Pick::Kind::robot, 1, 0, Vec2::Zero()}});
+  give(state, Explain{Pick{Pick::Kind::robot, 1, 0, Vec2{}}});
   page.press({"F"});
   CHECK(failing(state)->robot == 2);
   page.press({"Escape"});
@@ -265,7 +265,7 @@ TEST_CASE(
   REQUIRE(uncertainty_grip(state));
   const std::uint64_t before = computed().placements;
   const Vec2 from = state.view.camera.to_world(*uncertainty_grip(state));
-  const Vec2 centre = state.derived().placement->centre_of_mass, out = (from - centre).normalized();
+  const Vec2 centre = state.derived().placement->centre_of_mass, out = unit(from - centre);
   page.drag(from, from + out * 40);
   CHECK(std::abs(shown(state).com_radius - 40) < 1.5 / state.view.camera.scale);
   CHECK(computed().placements == before);

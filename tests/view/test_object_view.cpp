@@ -95,8 +95,8 @@ double texture_at(const Vec2& uv) {
   const auto index = [](double share, int size) {
     return std::clamp(static_cast<int>(share * size), 0, size - 1);
   };
-  const unsigned texel = atlas.TexPixelsRGBA32[index(uv.y(), atlas.TexHeight) * atlas.TexWidth +
-                                               index(uv.x(), atlas.TexWidth)];
+  const unsigned texel = atlas.TexPixelsRGBA32[index(uv.y, atlas.TexHeight) * atlas.TexWidth +
+                                               index(uv.x, atlas.TexWidth)];
   return (texel >> IM_COL32_A_SHIFT & 0xFF) / 255.0;
 }
 

@@ -277,7 +277,7 @@ TEST_CASE("dragged coordinates are short decimals within a pixel", "[view]") {
     camera.scale = scale;
     const Vec2 p(123.456789123, -0.000123456), rounded = rounded_to_pixels(camera, p);
     CHECK(length(rounded - p) * scale <= 1);
-    CHECK(shortest(rounded.x()).size() <= 9);
+    CHECK(shortest(rounded.x).size() <= 9);
   }
 }
 
@@ -304,8 +304,8 @@ TEST_CASE("labels stand clear of each other, of robots and of what covers the dr
   Occupied occupied(window);
   occupied.box(covered);
   for (const LabelRequest& request : requests)
-    occupied.box({request.robot.x() - 15, request.robot.y() - 15, request.robot.x() + 15,
-                  request.robot.y() + 15});
+    occupied.box({request.robot.x - 15, request.robot.y - 15, request.robot.x + 15,
+                  request.robot.y + 15});
   const auto places = place_labels(requests, occupied, 15, 0);
   const auto apart = [](const Rect& a, const Rect& b) {
     return a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
@@ -317,8 +317,8 @@ TEST_CASE("labels stand clear of each other, of robots and of what covers the dr
     CHECK(apart(*places[i], covered));
     for (std::size_t j = 0; j < i; ++j) CHECK(apart(*places[i], *places[j]));
     for (const LabelRequest& request : requests) {
-      const Rect robot{request.robot.x() - 15, request.robot.y() - 15, request.robot.x() + 15,
-                       request.robot.y() + 15};  // its mark
+      const Rect robot{request.robot.x - 15, request.robot.y - 15, request.robot.x + 15,
+                       request.robot.y + 15};  // its mark
       CHECK(apart(*places[i], robot));
     }
   }
@@ -332,12 +332,12 @@ TEST_CASE("a label stands beyond the body of a robot with a size", "[view]") {
   occupied.disc(stand, radius);
   const auto place = place_labels(request, occupied, 15, 0)[0];
   REQUIRE(place);
-  const Vec2 nearest(std::clamp(stand.x(), place->left, place->right),
-                     std::clamp(stand.y(), place->top, place->bottom));
+  const Vec2 nearest(std::clamp(stand.x, place->left, place->right),
+                     std::clamp(stand.y, place->top, place->bottom));
   CHECK(length(nearest - stand) > radius);
-  CHECK_FALSE(occupied.is_free({stand.x() - 5, stand.y() - radius + 4, stand.x() + 5, stand.y()}));
-  CHECK(occupied.is_free({stand.x() - radius, stand.y() - radius, stand.x() - radius + 8,
-                          stand.y() - radius + 8}));  // the corner of its box
+  CHECK_FALSE(occupied.is_free({stand.x - 5, stand.y - radius + 4, stand.x + 5, stand.y}));
+  CHECK(occupied.is_free({stand.x - radius, stand.y - radius, stand.x - radius + 8,
+                          stand.y - radius + 8}));  // the corner of its box
 }
 
 TEST_CASE("a label avoids lines, and is left out where that is not possible", "[view]") {
@@ -505,10 +505,10 @@ TEST_CASE("a notice of several lines covers no robot where the view fits", "[vie
       const Rect place = layout(state).notice;
       for (const LiftingPoint& robot : lifting_points(state.derived().placement->teams)) {
         const Vec2 at = state.view.camera.to_screen(robot.position);
-        const bool beside = at.x() + 14 <= place.left || at.x() - 14 >= place.right;
-        CAPTURE(width, at.y(), place.bottom, state.session.notice_height,
+        const bool beside = at.x + 14 <= place.left || at.x - 14 >= place.right;
+        CAPTURE(width, at.y, place.bottom, state.session.notice_height,
                 layout(state).room.height());
-        CHECK((beside || at.y() + 14 <= place.bottom - state.session.notice_height));
+        CHECK((beside || at.y + 14 <= place.bottom - state.session.notice_height));
       }
       page.app.commands = {ShowNotice{}};
       settle(page.app);
@@ -527,7 +527,7 @@ TEST_CASE("on a sheet that is pulled up to the top a notice stands at its foot",
   state.view.sheet = Sheet::full;
   for (int i = 0; i < 4; ++i) page.frame();
   CHECK(layout(state).notice.bottom - state.session.notice_height >
-        layout(state).panel.middle().y());
+        layout(state).panel.middle().y);
 }
 
 TEST_CASE(
@@ -623,8 +623,8 @@ TEST_CASE(
           for (const LiftingPoint& robot : lifting_points(placement.teams)) {
             const Vec2 at = state.view.camera.to_screen(robot.position) +
                             Vec2(window.left - places.first.left, window.top - places.first.top);
-            CHECK(at.y() - 14 >= window.top + places.caption);
-            CHECK(at.y() + 14 <= window.bottom);
+            CHECK(at.y - 14 >= window.top + places.caption);
+            CHECK(at.y + 14 <= window.bottom);
             CHECK_FALSE(places.tools.contains(at));
           }
         };
@@ -707,12 +707,12 @@ TEST_CASE("what is dragged and drawn snaps to the dots, or level with its neighb
   const double step = grid_step(page.app.state.view.camera);
   const Vec2 at = page.app.state.work.document().vertices[2];
   CHECK(length(at - Vec2(433.7, 171.2)) < step + 2);
-  CHECK(std::fmod(at.x(), step) == 0);
-  CHECK(std::fmod(at.y(), step) == 0);
+  CHECK(std::fmod(at.x, step) == 0);
+  CHECK(std::fmod(at.y, step) == 0);
   page.press({"n"});
   page.press({"x"});
   page.drag({0, 300}, {3, 260});
-  CHECK(page.app.state.work.document().vertices[5].x() == 0);
+  CHECK(page.app.state.work.document().vertices[5].x == 0);
 }
 
 TEST_CASE("the whole snaps with the lower left corner of its box onto a dot", "[view]") {
@@ -761,7 +761,7 @@ TEST_CASE("the whole moves, turns and scales, each drag a step of undo", "[view]
   const Points scaled = page.app.state.work.document().vertices;
   page.press({"ArrowRight"});
   for (std::size_t i = 0; i < before.size(); ++i)
-    CHECK(page.app.state.work.document().vertices[i].x() > scaled[i].x());
+    CHECK(page.app.state.work.document().vertices[i].x > scaled[i].x);
   page.press({"Escape"});
   CHECK(page.app.state.view.tool == Tool::parts);
 }
@@ -777,8 +777,8 @@ TEST_CASE("keys alone select, move, add and remove vertices", "[view]") {
   page.press({"ArrowLeft"});
   page.press({"ArrowUp"});
   const Vec2 after = page.app.state.work.document().vertices[5];
-  CHECK(after.x() < before.x());
-  CHECK(after.y() > before.y());
+  CHECK(after.x < before.x);
+  CHECK(after.y > before.y);
   page.press({"i"});
   CHECK(page.app.state.work.document().vertices.size() == 7);
   page.press({"Delete"});

@@ -133,7 +133,7 @@ class Page {
   }
 
   // `off` leads to a second drawing of the polygon, in CSS pixels.
-  void drag(const Vec2& from, const Vec2& to, const Vec2& off = Vec2::Zero()) {
+  void drag(const Vec2& from, const Vec2& to, const Vec2& off = Vec2{}) {
     Pointer p = at(from);
     p.at += off;
     frame(p);

@@ -1,13 +1,14 @@
 // Nothing stays English, and each text has room.
-#include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
 
 #include "evenlift/wording.h"
 #include "kit/catch.h"
+#include "kit/json.h"
 #include "panels/summary.h"
 #include "ui/controls.h"
 #include "ui/drawn_texts.h"
@@ -22,7 +23,10 @@ namespace {
 
 std::map<std::string, std::string> german() {
   std::ifstream file(EVENLIFT_ASSETS_DIR "/words/de.json");
-  return nlohmann::json::parse(file).get<std::map<std::string, std::string>>();
+  const auto read = testing::Json::parse({std::istreambuf_iterator<char>(file), {}});
+  std::map<std::string, std::string> words;
+  for (const std::string& english : read.names()) words[english] = read[english].text();
+  return words;
 }
 
 // A page in a language, and what it wrote at each look.

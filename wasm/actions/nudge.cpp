@@ -21,9 +21,9 @@ void move_cursor(const AppState& s, Commands& out, int x, int y, bool finely) {
     const Vec2 to =
         finely ? rounded_finely(s.view.camera, wanted) : nearest_dot(s.view.camera, wanted);
     if (x != 0)
-      at.x() = to.x();
+      at.x = to.x;
     else
-      at.y() = to.y();
+      at.y = to.y;
   }
   out.push_back(SetDrawCursor{at, {}, true});
 }

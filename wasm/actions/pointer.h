@@ -7,7 +7,7 @@
 namespace evenlift::view {
 
 struct Pointer {
-  Vec2 at = Vec2::Zero();   // pixels
+  Vec2 at;   // pixels
   bool present = false;     // over the canvas, or holding a part
   bool touch = false;       // a finger, which cannot hover
   bool second = false;      // over the picture of the second method
@@ -17,7 +17,7 @@ struct Pointer {
   double wheel = 0;  // the wheel's steps, > 0 to zoom in
   // The pinch of two fingers, or of a trackpad.
   bool pinching = false;
-  Vec2 pinch_at = Vec2::Zero(), pinch_moved = Vec2::Zero();
+  Vec2 pinch_at, pinch_moved;
   double pinch_factor = 1;
 };
 

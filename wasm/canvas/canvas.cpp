@@ -29,13 +29,13 @@ void draw_ground(ImDrawList& list, const AppState& state, const Theme& theme) {
   const ImU32 colour = theme.dots.packed();
   const float ratio = static_cast<float>(state.session.screen.ratio);
   const float half = std::max(0.75f, std::round(ratio) / ratio * 0.75f);
-  const Vec2 first(std::floor(low.x() / step), std::floor(low.y() / step));
-  const int across = static_cast<int>(std::floor(high.x() / step) - first.x()),
-            up = static_cast<int>(std::floor(high.y() / step) - first.y());
+  const Vec2 first(std::floor(low.x / step), std::floor(low.y / step));
+  const int across = static_cast<int>(std::floor(high.x / step) - first.x),
+            up = static_cast<int>(std::floor(high.y / step) - first.y);
   for (int i = 0; i <= across; ++i) {
     for (int j = 0; j <= up; ++j) {
       const Vec2 p = camera.to_screen((first + Vec2(i, j)) * step);
-      const float x = static_cast<float>(p.x()), y = static_cast<float>(p.y());
+      const float x = static_cast<float>(p.x), y = static_cast<float>(p.y);
       list.AddRectFilled(ImVec2(x - half, y - half), ImVec2(x + half, y + half), colour);
     }
   }

@@ -96,7 +96,7 @@ void draw_values(const Painter& painter, const CanvasView& view, Occupied& occup
   if (valued.size() > most_valued) return;
   constexpr double mark = 13;  // pixels from C to just beyond its mark's rim
   const Vec2 c = view.camera.to_screen(view.placement->centre_of_mass);
-  std::vector<Rect> before = {{c.x() - mark, c.y() - mark, c.x() + mark, c.y() + mark}};
+  std::vector<Rect> before = {{c.x - mark, c.y - mark, c.x + mark, c.y + mark}};
   for (const auto& [figure, text] : valued) draw_value(painter, view, *figure, text, before);
   for (const Rect& taken : before) occupied.box(taken);
 }
@@ -138,7 +138,7 @@ void draw_names_of_choices(const Painter& painter, const CanvasView& view, const
         chord_of_choice(*view.state.view.walkthrough.trace, ask.detail, ask.question, choice);
     const Vec2 at = view.camera.to_screen(chord.r2.position), away = at - middle;
     const ImVec2 text = text_size(Face::strong_label, name_of_choice(ask, choice));
-    requests.push_back({at, away / std::max(away.norm(), 1e-9), Vec2(text.x + 10, text.y + 4)});
+    requests.push_back({at, away / std::max(length(away), 1e-9), Vec2(text.x + 10, text.y + 4)});
   }
   if (ask.question.kind == QuestionKind::even_chord)  // it concerns M, whose name is beside it
     occupied.disc(view.camera.to_screen(ask.detail.balanced->middle), 24);

@@ -209,7 +209,7 @@ void draw_hint(ImDrawList& list, const AppState& state, const Layout& layout, co
   const ImVec2 size = text_size(Face::label, text);
   const double width = static_cast<double>(size.x);
   // Beside the view tools, not under them.
-  const double left = std::max(layout.free.middle().x() - width / 2, layout.tools.right + 22);
+  const double left = std::max(layout.free.middle().x - width / 2, layout.tools.right + 22);
   const double top = state.session.screen.height - layout.margin - 24;
   list.AddRectFilled(vec(left - 10, top - 5),
                      vec(left + width + 10, top + static_cast<double>(size.y) + 5),

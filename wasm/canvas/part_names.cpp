@@ -26,20 +26,20 @@ Vec2 outwards(const CanvasView& view, const Vec2& from, const Vec2& away) {
 
 LabelRequest beside_edge(const CanvasView& view, const Points& edge) {
   const Vec2 along = edge[1] - edge[0], middle = (edge[0] + edge[1]) / 2;
-  const Vec2 normal = Vec2(along.y(), -along.x()) / length(along);
-  return {view.camera.to_screen(middle), outwards(view, middle, normal), Vec2::Zero(), line};
+  const Vec2 normal = Vec2(along.y, -along.x) / length(along);
+  return {view.camera.to_screen(middle), outwards(view, middle, normal), Vec2{}, line};
 }
 
 LabelRequest beside_vertex(const CanvasView& view, const Vec2& vertex) {
   const Vec2 from_centre = vertex - view.placement->centre_of_mass;
   const double away = length(from_centre);
   const Vec2 direction = away > 0 ? Vec2(from_centre / away) : Vec2(0, 1);
-  return {view.camera.to_screen(vertex), outwards(view, vertex, direction), Vec2::Zero(), ring};
+  return {view.camera.to_screen(vertex), outwards(view, vertex, direction), Vec2{}, ring};
 }
 
 LabelRequest beside_centre(const CanvasView& view) {
   return {view.camera.to_screen(view.placement->centre_of_mass), Vec2(1, -1) / std::numbers::sqrt2,
-          Vec2::Zero(), centre};
+          Vec2{}, centre};
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ void draw_part_names(const Painter& painter, const CanvasView& view, Occupied& o
     } else if (length(figure.points[0] - c) * view.camera.scale > 2 * ring) {
       const Vec2 at = view.camera.to_screen(figure.points[0]);
       occupied.disc(at, ring);
-      add({at, Vec2(1, -1) / std::numbers::sqrt2, Vec2::Zero(), ring}, name);
+      add({at, Vec2(1, -1) / std::numbers::sqrt2, Vec2{}, ring}, name);
     }
   }
   add(beside_centre(view), "C");

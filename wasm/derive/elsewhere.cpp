@@ -52,7 +52,7 @@ class Reader {
 };
 
 void add(std::vector<double>& numbers, const Vec2& point) {
-  numbers.insert(numbers.end(), {point.x(), point.y()});
+  numbers.insert(numbers.end(), {point.x, point.y});
 }
 
 void add(std::vector<double>& numbers, const LiftingPoint& point) {

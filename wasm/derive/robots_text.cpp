@@ -27,7 +27,7 @@ std::string robots_text(const std::vector<LiftingPoint>& robots) {
   std::string text;
   for (const LiftingPoint& robot : robots)
     text += (text.empty() ? "" : " ") + std::to_string(robot.edge) + ' ' +
-            shortest(robot.position.x()) + ' ' + shortest(robot.position.y());
+            shortest(robot.position.x) + ' ' + shortest(robot.position.y);
   return text;
 }
 

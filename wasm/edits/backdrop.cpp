@@ -32,7 +32,7 @@ struct Scaled {
 
 bool all_within(const Points& points, const Scaled& scaled) {
   return std::all_of(points.begin(), points.end(), [&](const Vec2& p) {
-    return scaled(p).cwiseAbs().maxCoeff() <= max_coordinate;
+    return max_norm(scaled(p)) <= max_coordinate;
   });
 }
 

@@ -139,7 +139,7 @@ void type_edge(AppState& state, const TypeEdge& typed) {
     return;
   }
   const Vec2 to = typed_end(drawing, towards);
-  if (!(std::abs(to.x()) <= max_coordinate && std::abs(to.y()) <= max_coordinate))
+  if (!(std::abs(to.x) <= max_coordinate && std::abs(to.y) <= max_coordinate))
     return show(state,
                 {Notice::Kind::problem, "The edge would end beyond the largest coordinate."});
   drawing.cursor = drawing.last_cursor = to;

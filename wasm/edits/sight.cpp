@@ -27,8 +27,8 @@ void keep_in_sight(AppState& state, const Vec2& at) {
   const Vec2 spot = state.view.camera.to_screen(at);
   constexpr double edge = 48;
   const Vec2 wanted(
-      std::clamp(spot.x(), free.left + edge, std::max(free.left + edge, free.right - edge)),
-      std::clamp(spot.y(), free.top + edge, std::max(free.top + edge, free.bottom - edge)));
+      std::clamp(spot.x, free.left + edge, std::max(free.left + edge, free.right - edge)),
+      std::clamp(spot.y, free.top + edge, std::max(free.top + edge, free.bottom - edge)));
   if (wanted == spot) return;
   state.view.camera = pan(state.view.camera, wanted - spot);
   state.view.camera_follows = false;

@@ -10,10 +10,10 @@ void draw_word(ImDrawList& list, const Vec2& spot, const Rect& window, const The
                Colour colour, const std::string& text) {
   const ImVec2 size = text_size(Face::strong_label, text);
   const double width = static_cast<double>(size.x) + 16, height = static_cast<double>(size.y) + 10;
-  const double left = std::clamp(spot.x() + 14, window.left + 4,
+  const double left = std::clamp(spot.x + 14, window.left + 4,
                                  std::max(window.left + 4, window.right - width - 4));
-  double top = spot.y() - height - 10;
-  if (top < window.top + 4) top = std::max(spot.y() + 18, window.top + 4);
+  double top = spot.y - height - 10;
+  if (top < window.top + 4) top = std::max(spot.y + 18, window.top + 4);
   const ImVec2 low = vec(left, top), high = vec(left + width, top + height);
   list.AddRectFilled(low, high, theme.panel.at(0.95f).packed(), 6);
   list.AddRect(low, high, colour.at(0.5f).packed(), 6, 0, 1);
@@ -24,7 +24,7 @@ namespace {
 
 Rect box_at(const Vec2& from, const Vec2& to, const Vec2& size, double share) {
   const Vec2 low = from + (to - from) * share - size / 2;
-  return {low.x(), low.y(), low.x() + size.x(), low.y() + size.y()};
+  return {low.x, low.y, low.x + size.x, low.y + size.y};
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ void draw_halo(const Painter& painter, const CanvasView& view) {
   }
   const std::optional<Vec2> grip = uncertainty_grip(state);
   if (!grip || view.second) return;
-  const ImVec2 spot = vec(grip->x(), grip->y());
+  const ImVec2 spot = vec(grip->x, grip->y);
   const ImVec2 foot(at.x + in_pixels(known) * 0.70710678f, at.y - in_pixels(known) * 0.70710678f);
   const bool hot = is_hovered(state, Pick::Kind::uncertainty, 0);
   list.AddLine(foot, spot, ring.packed(), 1.5f);

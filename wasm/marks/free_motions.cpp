@@ -64,10 +64,10 @@ std::optional<Segment> arrow_to_region(const CanvasView& view, const Rect& windo
   const std::optional<Vec2> way =
       region.empty() ? std::nullopt : way_out_of_sight(view, window, region);
   const Vec2 room(window.width() / 2 - from_edge, window.height() / 2 - from_edge);
-  if (!way || !(room.x() > arrow) || !(room.y() > arrow)) return std::nullopt;
+  if (!way || !(room.x > arrow) || !(room.y > arrow)) return std::nullopt;
   // To the edge of the available area, on the way to the region.
-  const double share = std::min(room.x() / std::max(std::abs(way->x()), 1e-9),
-                                room.y() / std::max(std::abs(way->y()), 1e-9));
+  const double share = std::min(room.x / std::max(std::abs(way->x), 1e-9),
+                                room.y / std::max(std::abs(way->y), 1e-9));
   const Vec2 head = window.middle() + share * *way;
   return Segment{head - arrow * *way / length(*way), head};
 }
@@ -94,7 +94,7 @@ void draw_slide(const Painter& painter, const CanvasView& view, Occupied* occupi
   const Closure& closure = view.placement->closure;
   if (!closure.translation_free || !closure.translation || view.placement->teams.empty()) return;
   const Vec2 from = view.camera.to_screen(view.placement->centre_of_mass);
-  const Vec2 along(closure.translation->x(), -closure.translation->y());
+  const Vec2 along(closure.translation->x, -closure.translation->y);
   const Vec2 tail = from + along * 16, head = from + along * 62;
   painter.arrow(tail, head, view.theme.object, 7);
   painter.arrow(tail, head, view.theme.amber_on_object, 3);

@@ -31,8 +31,8 @@ std::optional<Rect> coverage_box(const CanvasView& view) {
   if (!wanted || place.room * view.camera.scale < 24) return std::nullopt;
   const Vec2 at = view.camera.to_screen(place.at);
   const ImVec2 text = text_size(Face::verdict, percentage(view.placement->coverage));
-  const Rect box{at.x() - text.x / 2, at.y() - text.y / 2, at.x() + text.x / 2,
-                 at.y() + text.y / 2};
+  const Rect box{at.x - text.x / 2, at.y - text.y / 2, at.x + text.x / 2,
+                 at.y + text.y / 2};
   const Rect window = free_window(view);
   const bool seen =
       window.contains({box.left, box.top}) && window.contains({box.right, box.bottom});
@@ -40,7 +40,7 @@ std::optional<Rect> coverage_box(const CanvasView& view) {
 }
 
 Rect about(const Vec2& middle, double reach) {
-  return {middle.x() - reach, middle.y() - reach, middle.x() + reach, middle.y() + reach};
+  return {middle.x - reach, middle.y - reach, middle.x + reach, middle.y + reach};
 }
 
 // Of a sized robot, in pixels.
@@ -163,7 +163,7 @@ std::vector<LoadLabel> load_labels(const CanvasView& view, const RobotSize& size
           load_in_words(outlook.model, load, outlook.greatest, shown(view.state).units));
       over.push_back(view.overloads(number - 1, load.greatest));
       const ImVec2 text = text_size(Face::strong_label, texts.back());
-      requests.push_back({at, away / std::max(away.norm(), 1e-9), Vec2(text.x + 12, text.y + 6),
+      requests.push_back({at, away / std::max(length(away), 1e-9), Vec2(text.x + 12, text.y + 6),
                           body ? body_radius(view) + 4 : 0});
     }
   }

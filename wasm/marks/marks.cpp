@@ -240,7 +240,7 @@ void draw_caption(const Painter& painter, const CanvasView& view) {
   for (const Control& control : controls())  // below the tool's bar, at its place of the last frame
     if (control.card == "tool bar" && control.window.left < view.layout.free.right)
       top = std::max(top, control.window.bottom + 6);
-  const ImVec2 low = vec(view.window.middle().x() - static_cast<double>(width) / 2, top);
+  const ImVec2 low = vec(view.window.middle().x - static_cast<double>(width) / 2, top);
   const ImVec2 high(low.x + width, low.y + static_cast<float>(height));
   painter.list().AddRectFilled(low, high, view.theme.panel.at(0.94f).packed(), 8);
   const ImVec2 name_at(wide ? low.x + (width - title.x) / 2 : low.x + 12, low.y + 5);
@@ -264,7 +264,7 @@ void draw_numbers_to_type(const Painter& painter, const CanvasView& view) {
   if (view.current())
     for (const LiftingPoint& robot : lifting_points(view.placement->teams)) {
       const Vec2 at = view.camera.to_screen(robot.position);
-      robots.push_back({at.x() - reach, at.y() - reach, at.x() + reach, at.y() + reach});
+      robots.push_back({at.x - reach, at.y - reach, at.x + reach, at.y + reach});
     }
   draw_edge_numbers(painter, view.theme, view.theme.second_text, numbered, std::move(robots));
 }

@@ -83,11 +83,11 @@ void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& siz
   }
   if (look.marked) list.AddCircle(at, size.ring + 4, theme.accent_on_object.packed(), 40, 3);
   if (!size.numbered) return;
-  const Vec2 on_screen(look.outward.x(), -look.outward.y());
+  const Vec2 on_screen(look.outward.x, -look.outward.y);
   const Vec2 middle(static_cast<double>(at.x), static_cast<double>(at.y));
   const double rim = static_cast<double>(size.ring) + tally_from_ring;
   for (const auto& [line, five] : tally(look.team, middle, on_screen, rim)) {
-    const ImVec2 from = vec(line.from.x(), line.from.y()), to = vec(line.to.x(), line.to.y());
+    const ImVec2 from = vec(line.from.x, line.from.y), to = vec(line.to.x, line.to.y);
     list.AddLine(from, to, theme.robot_ring.packed(), five ? 5.5f : 4.0f);
     list.AddLine(from, to, theme.robot.packed(), five ? 3.5f : 2.0f);
   }
@@ -106,11 +106,11 @@ void draw_swarm(const Painter& painter, const CanvasView& view, std::size_t team
   const auto draw = [&](const Vec2& robot, Colour colour) {
     const Vec2 at = view.camera.to_screen(robot);
     if (!window.contains(at)) return;
-    const auto column = static_cast<std::size_t>((at.x() - window.left) / spot),
-               row = static_cast<std::size_t>((at.y() - window.top) / spot);
+    const auto column = static_cast<std::size_t>((at.x - window.left) / spot),
+               row = static_cast<std::size_t>((at.y - window.top) / spot);
     if (taken[row * across + column]) return;
     taken[row * across + column] = true;
-    painter.list().AddRectFilled(vec(at.x() - 2, at.y() - 2), vec(at.x() + 2, at.y() + 2),
+    painter.list().AddRectFilled(vec(at.x - 2, at.y - 2), vec(at.x + 2, at.y + 2),
                                  colour.packed());
   };
   // Overloaded robots come first, so that none hides them.

@@ -110,7 +110,7 @@ class Words {
       return add(std::move(name), around(at[0], 5), away);
     }
     const Vec2 along = at[1] - at[0], middle = (at[0] + at[1]) / 2;
-    Vec2 away = Vec2(along.y(), -along.x()) / std::max(length(along), 1e-9);
+    Vec2 away = Vec2(along.y, -along.x) / std::max(length(along), 1e-9);
     if (inside(around_.outline, Vec2(middle + 2 * away))) away = -away;
     add(std::move(name), around(middle, 1), away);
   }
@@ -131,7 +131,7 @@ class Words {
     if (chords.size() > most_ratios) return;
     for (const Figure* chord : chords) {
       const Vec2 from = paper_(chord->points[0]), way = paper_(chord->points[1]) - from;
-      add(ratio_in_words(chord->value), around(from + beside * way, 1), Vec2(way.y(), -way.x()));
+      add(ratio_in_words(chord->value), around(from + beside * way, 1), Vec2(way.y, -way.x));
     }
   }
 
@@ -152,13 +152,13 @@ double rounded(double value) { return std::round(value * 10) / 10; }
 Paper::Paper(const Points& points) {
   const Box box = bounding_box(points);
   const Vec2 size = box.size();
-  scale_ = std::min((width - 2 * margin) / size.x(), (height - 2 * margin) / size.y());
+  scale_ = std::min((width - 2 * margin) / size.x, (height - 2 * margin) / size.y);
   middle_ = box.middle();
 }
 
 Vec2 Paper::operator()(const Vec2& p) const {
-  return {rounded(width / 2 + (p.x() - middle_.x()) * scale_),
-          rounded(height / 2 - (p.y() - middle_.y()) * scale_)};
+  return {rounded(width / 2 + (p.x - middle_.x) * scale_),
+          rounded(height / 2 - (p.y - middle_.y) * scale_)};
 }
 
 Points Paper::operator()(const Points& points) const {

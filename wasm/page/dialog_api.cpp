@@ -275,7 +275,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_weights(int first, int count) {
   const auto [from, to] = part_of(cargo.size(), first, count);
   std::vector<std::string> rows;
   for (std::size_t i = from; i < to; ++i)
-    rows.push_back(json::array({json::number(cargo[i].at.x()), json::number(cargo[i].at.y()),
+    rows.push_back(json::array({json::number(cargo[i].at.x), json::number(cargo[i].at.y),
                                 json::number(cargo[i].weight), json::text(cargo[i].name)}));
   return hand_over(json::array(rows));
 }
@@ -344,7 +344,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_robots(int first, int count) {
     const std::string load =
         placement.loads ? load_in_words(loads[i], placement.loads->max, shown(state).units) : "–";
     rows.push_back(
-        json::array({json::number(robots[i].x()), json::number(robots[i].y()), json::text(load)}));
+        json::array({json::number(robots[i].x), json::number(robots[i].y), json::text(load)}));
   }
   return hand_over(json::array(rows));
 }

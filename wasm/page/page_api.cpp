@@ -268,20 +268,20 @@ EMSCRIPTEN_KEEPALIVE const char* page_text() {
 }
 
 EMSCRIPTEN_KEEPALIVE double page_screen_x(double x, double y) {
-  return app().state.view.camera.to_screen({x, y}).x() * app().state.session.screen.zoom;
+  return app().state.view.camera.to_screen({x, y}).x * app().state.session.screen.zoom;
 }
 EMSCRIPTEN_KEEPALIVE double page_screen_y(double x, double y) {
-  return app().state.view.camera.to_screen({x, y}).y() * app().state.session.screen.zoom;
+  return app().state.view.camera.to_screen({x, y}).y * app().state.session.screen.zoom;
 }
 EMSCRIPTEN_KEEPALIVE double page_world_x(double x, double y) {
   return app()
       .state.view.camera.to_world(evenlift::Vec2(x, y) / app().state.session.screen.zoom)
-      .x();
+      .x;
 }
 EMSCRIPTEN_KEEPALIVE double page_world_y(double x, double y) {
   return app()
       .state.view.camera.to_world(evenlift::Vec2(x, y) / app().state.session.screen.zoom)
-      .y();
+      .y;
 }
 
 // --- The page around the canvas
@@ -396,8 +396,8 @@ EMSCRIPTEN_KEEPALIVE void page_backdrop(double left, double bottom, double width
 EMSCRIPTEN_KEEPALIVE const char* page_backdrop_place() {
   const std::optional<Backdrop>& picture = app().state.work.backdrop;
   if (!picture) return hand_over({});
-  return hand_over(json::object({{"left", json::number(picture->low.x())},
-                                 {"bottom", json::number(picture->low.y())},
+  return hand_over(json::object({{"left", json::number(picture->low.x)},
+                                 {"bottom", json::number(picture->low.y)},
                                  {"width", json::number(picture->width())}}));
 }
 

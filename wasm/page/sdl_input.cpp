@@ -165,9 +165,9 @@ void SdlInput::feed(bool laid_out, double zoom) {
     deal_with(queue_[dealt_with++]);
   queue_.erase(queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(dealt_with));
   ImGuiIO& io = ImGui::GetIO();
-  const bool gone = at_.x() < -1e5;
-  const ImVec2 at(gone ? -FLT_MAX : static_cast<float>(at_.x() / zoom),
-                  gone ? -FLT_MAX : static_cast<float>(at_.y() / zoom));
+  const bool gone = at_.x < -1e5;
+  const ImVec2 at(gone ? -FLT_MAX : static_cast<float>(at_.x / zoom),
+                  gone ? -FLT_MAX : static_cast<float>(at_.y / zoom));
   const float wheel = wheel_ ? wheel_->wheel : 0;
 #if IMGUI_VERSION_NUM >= 18700
   io.ConfigInputTrickleEventQueue = false;  // feed() itself separates conflicting events
@@ -185,7 +185,7 @@ Pointer SdlInput::pointer(double zoom) {
   const ImGuiIO& io = ImGui::GetIO();
   Pointer p;
   p.at = at_ / zoom;
-  p.present = at_.x() > -1e5;
+  p.present = at_.x > -1e5;
   p.touch = touch_;
   p.over_panel = io.WantCaptureMouse;
   p.pressed = ImGui::IsMouseClicked(0);

@@ -45,7 +45,7 @@ class SdlInput {
     Uint32 time = 0;            // time of a finger's press, in milliseconds
     int clicks = 0;             // a mouse's presses in one place
     float wheel = 0;            // steps
-    Vec2 moved = Vec2::Zero();  // motion of a pinch's middle
+    Vec2 moved;  // motion of a pinch's middle
     double factor = 1;
   };
   struct Finger {
@@ -65,10 +65,10 @@ class SdlInput {
   // The places below are in CSS pixels.
   Vec2 at_ = Vec2(-1e6, -1e6);
   bool down_ = false, touch_ = false, asks_ = false;
-  Vec2 pressed_at_ = Vec2::Zero();
+  Vec2 pressed_at_;
   std::optional<Uint32> pressed_time_;  // nullopt if a finger's next press cannot be a second one
   bool two_fingers_ = false;  // stays true until all are lifted; the last finger drags nothing
-  Vec2 pinch_middle_ = Vec2::Zero();
+  Vec2 pinch_middle_;
   double pinch_spread_ = 1;
 
   // The events of this pass.

@@ -97,7 +97,7 @@ void draw_centre(const Ui& ui) {
                            coordinate_decimals(ui.state.work.document().vertices))
           : "centroid";
   const Vec2 centre = centre_of_mass(ui.state);
-  const std::string exact = own ? shortest(centre.x()) + ", " + shortest(centre.y()) : "";
+  const std::string exact = own ? shortest(centre.x) + ", " + shortest(centre.y) : "";
   text_field(ui, "com", "Centre of mass, x and y", "com", value, width - reset, exact);
   if (!own) return;
   ImGui::SameLine(0, 0);

@@ -180,8 +180,8 @@ void draw_way_back(const Ui& ui) {
   if (outline_is_seen(ui.state)) return;
   const Rect& free = ui.layout.free;
   const float width = text_size(Face::text, "Show the object").x + 28;
-  const double left = free.middle().x() - static_cast<double>(width) / 2 - 8,
-               top = free.middle().y() - ui.layout.control / 2 - 8;
+  const double left = free.middle().x - static_cast<double>(width) / 2 - 8,
+               top = free.middle().y - ui.layout.control / 2 - 8;
   begin_card(ui, "way back", {left, top, free.right, free.bottom},
              {.fixed_width = false, .padding = 8, .scrolls = false});
   if (flat_button(ui, "show object", "Show the object", width, true, true)) ui.push(FitView{});
@@ -197,7 +197,7 @@ void draw_notice(const Ui& ui) {
   const Face face = ui.layout.wide ? Face::text : Face::label;
   const float text =
       std::min(text_size(face, notice.text).x, static_cast<float>(seat.width()) - 84);
-  const double width = static_cast<double>(text) + 84, x = seat.middle().x() - width / 2;
+  const double width = static_cast<double>(text) + 84, x = seat.middle().x - width / 2;
   begin_card(ui, "notice", {x, seat.top, x + width, seat.bottom},
              {.at_bottom = true, .padding = 10});
   const ImVec2 at = ImGui::GetCursorScreenPos();

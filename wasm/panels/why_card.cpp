@@ -30,8 +30,8 @@ std::pair<double, double> ends_of_object(const Ui& ui, const Vec2& spot) {
   const bool in_second = second.width() > 0 && second.contains(spot);
   const double shift = in_second ? second.left - ui.layout.first.left : 0;
   const Box box = bounding_box(ui.state.work.document().vertices);
-  return {ui.state.view.camera.to_screen(box.low).x() + shift,
-          ui.state.view.camera.to_screen(box.high).x() + shift};
+  return {ui.state.view.camera.to_screen(box.low).x + shift,
+          ui.state.view.camera.to_screen(box.high).x + shift};
 }
 
 // Beside the object if there is room, else beside the spot, away from the centre of mass. On a
@@ -46,19 +46,19 @@ CardPlace place_of(const Ui& ui, const Vec2& spot) {
   const Rect& free = ui.layout.free;
   const double margin = ui.layout.margin, left = free.left + margin, right = free.right - margin,
                top = free.top + margin, bottom = free.bottom - margin;
-  const bool low = spot.y() >= free.middle().y();
+  const bool low = spot.y >= free.middle().y;
   if (!ui.layout.wide) {
     constexpr double least = 240;  // longer text scrolls
     const double foot = ui.state.session.screen.height - 4;
     const double head =
-        std::max(spot.y() + away, free.bottom);  // the loads above the sheet stay visible
+        std::max(spot.y + away, free.bottom);  // the loads above the sheet stay visible
     return {{left, std::clamp(head, top, foot - least), right, foot}, true, true};
   }
   if (ui.layout.low && ui.state.view.panel_open) return {ui.layout.panel, false, true};
   const double width = std::min(widest, right - left);
   const bool outward_left =
-      spot.x() < ui.state.view.camera.to_screen(ui.state.derived().placement->centre_of_mass).x();
-  const double before = spot.x() - away - width, behind = spot.x() + away;
+      spot.x < ui.state.view.camera.to_screen(ui.state.derived().placement->centre_of_mass).x;
+  const double before = spot.x - away - width, behind = spot.x + away;
   const bool at_left = outward_left ? before >= left : behind + width > right;
   // Beyond the body of a sized robot, as far as there is room.
   const RobotSize& robot = settings(ui.state).robot;
@@ -71,8 +71,8 @@ CardPlace place_of(const Ui& ui, const Vec2& spot) {
                                               std::max(left, right - width));
   const double foot =
       x < ui.layout.tools.right ? std::min(bottom, ui.layout.tools.top - margin) : bottom;
-  if (low) return {{x, top, x + width, std::clamp(spot.y() + 20, top, foot)}, true};
-  return {{x, std::clamp(spot.y() - 20, top, foot), x + width, foot}, false};
+  if (low) return {{x, top, x + width, std::clamp(spot.y + 20, top, foot)}, true};
+  return {{x, std::clamp(spot.y - 20, top, foot), x + width, foot}, false};
 }
 
 void draw_row(const Ui& ui, const Explanation::Row& row) {

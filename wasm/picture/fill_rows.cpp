@@ -28,7 +28,7 @@ class Crossings {
     for (const Vec2& p : ring) {
       const Vec2 here = camera.to_screen(p);
       // Downwards, so that rounding does not depend on the direction.
-      if (before.y() < here.y())
+      if (before.y < here.y)
         add_edge(before, here);
       else
         add_edge(here, before);
@@ -55,14 +55,14 @@ class Crossings {
 
  private:
   void add_edge(const Vec2& a, const Vec2& b) {
-    const std::int64_t first = middle_after(a.y() - window_.top, rows_),
-                       last = middle_after(b.y() - window_.top, rows_);
+    const std::int64_t first = middle_after(a.y - window_.top, rows_),
+                       last = middle_after(b.y - window_.top, rows_);
     if (first == last) return;
-    const double slope = (b.x() - a.x()) / (b.y() - a.y());
+    const double slope = (b.x - a.x) / (b.y - a.y);
     for (std::int64_t row = first; row < last; ++row) {
       const double y = window_.top + (static_cast<double>(row) + 0.5) * pixel_;
       const std::int64_t column =
-          middle_after(a.x() + (y - a.y()) * slope - window_.left, columns_);
+          middle_after(a.x + (y - a.y) * slope - window_.left, columns_);
       if (column < columns_)
         bits_[static_cast<std::size_t>(row * words_ + column / 64)] ^= std::uint64_t{1}
                                                                        << (column % 64);

@@ -49,7 +49,7 @@ void cut(Points& area, const Side& side, double most, Points& spare) {
 Points frame_around(const Points& polygon) {
   const Box box = bounding_box(polygon);
   const Vec2 low = box.low - box.size(), high = box.high + box.size();
-  return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+  return {low, {high.x, low.y}, high, {low.x, high.y}};
 }
 
 HeatBand band(const Placement& placement, const Points& corners,

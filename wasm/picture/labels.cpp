@@ -14,18 +14,18 @@ namespace {
 constexpr double cell = 4;  // pixels
 
 Rect around(const Vec2& middle, const Vec2& size) {
-  return {middle.x() - size.x() / 2, middle.y() - size.y() / 2, middle.x() + size.x() / 2,
-          middle.y() + size.y() / 2};
+  return {middle.x - size.x / 2, middle.y - size.y / 2, middle.x + size.x / 2,
+          middle.y + size.y / 2};
 }
 
 Vec2 turned(const Vec2& v, double degrees) {
   const double a = degrees * pi / 180, c = std::cos(a), s = std::sin(a);
-  return {v.x() * c - v.y() * s, v.x() * s + v.y() * c};
+  return {v.x * c - v.y * s, v.x * s + v.y * c};
 }
 
 // The middle of a box in direction `u` that just clears a disc of radius `reach`.
 Vec2 beside(const Vec2& robot, const Vec2& u, const Vec2& size, double reach) {
-  const double x = std::abs(u.x()) * size.x() / 2, y = std::abs(u.y()) * size.y() / 2;
+  const double x = std::abs(u.x) * size.x / 2, y = std::abs(u.y) * size.y / 2;
   return robot + u * (reach + x + y);
 }
 
@@ -96,22 +96,22 @@ void Occupied::box(const Rect& taken) {
 
 void Occupied::disc(const Vec2& middle, double radius) {
   // Only rows near the window are visited, since a disc may be far larger than the window.
-  const double first = std::max(-radius, window_.top - middle.y() - cell),
-               last = std::min(radius, window_.bottom - middle.y() + cell);
+  const double first = std::max(-radius, window_.top - middle.y - cell),
+               last = std::min(radius, window_.bottom - middle.y + cell);
   const int rows = static_cast<int>(std::ceil((last - first) / cell));
   for (int row = 0; row < rows; ++row) {
     const double y = first + row * cell;
     const double inner = std::min(std::fabs(y), std::fabs(y + cell)),
                  half = y < 0 && y + cell > 0 ? radius : std::sqrt(radius * radius - inner * inner);
-    box({middle.x() - half, middle.y() + y, middle.x() + half, middle.y() + y + cell});
+    box({middle.x - half, middle.y + y, middle.x + half, middle.y + y + cell});
   }
 }
 
 void Occupied::line(const Vec2& a, const Vec2& b) {
   const auto column = [&](const Vec2& p) {
-    return static_cast<int>((p.x() - window_.left) / cell);
+    return static_cast<int>((p.x - window_.left) / cell);
   };
-  const auto row = [&](const Vec2& p) { return static_cast<int>((p.y() - window_.top) / cell); };
+  const auto row = [&](const Vec2& p) { return static_cast<int>((p.y - window_.top) / cell); };
   // Most edges of an outline with many vertices lie within one cell.
   if (window_.contains(a) && window_.contains(b) && column(a) == column(b) && row(a) == row(b)) {
     lines_[index_of(column(a), row(a))] = 1;
@@ -185,8 +185,8 @@ CoveragePlace place_coverage(const Placement& placement, const Vec2& before) {
   constexpr int steps = 28;
   for (int i = 1; i < steps; ++i) {
     for (int j = 1; j < steps; ++j) {
-      const Vec2 p(box.low.x() + box.size().x() * i / steps,
-                   box.low.y() + box.size().y() * j / steps);
+      const Vec2 p(box.low.x + box.size().x * i / steps,
+                   box.low.y + box.size().y * j / steps);
       const double room = clearance(placement, p);
       if (room > to_beat) {
         to_beat = room;

@@ -56,7 +56,7 @@ std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& r
 // not jump. If there is no such point, or there are too many vertices, teams or items of cargo to
 // search, `room` is 0.
 struct CoveragePlace {
-  Vec2 at = Vec2::Zero();
+  Vec2 at;
   double room = 0;
 };
 CoveragePlace place_coverage(const Placement& placement, const Vec2& before);

@@ -49,14 +49,14 @@ std::vector<std::pair<float, float>> Painter::reach(const Points& convex, float 
   for (std::size_t i = 0; i < convex.size(); ++i) {
     Vec2 a = camera_.to_screen(convex[i]),
          b = camera_.to_screen(convex[i + 1 == convex.size() ? 0 : i + 1]);
-    if (a.y() > b.y()) std::swap(a, b);
+    if (a.y > b.y) std::swap(a, b);
     const auto row_after = [&](double y) {
       return static_cast<std::size_t>(
           std::clamp(std::ceil((y - window_.top) / height - 0.5), 0.0, static_cast<double>(count)));
     };
-    for (std::size_t row = row_after(a.y()); row < row_after(b.y()); ++row) {
+    for (std::size_t row = row_after(a.y); row < row_after(b.y); ++row) {
       const double y = window_.top + (static_cast<double>(row) + 0.5) * height;
-      const auto x = static_cast<float>(a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()));
+      const auto x = static_cast<float>(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
       rows[row] = {std::min(rows[row].first, x), std::max(rows[row].second, x)};
     }
   }
@@ -139,7 +139,7 @@ void Painter::fill_around(const std::vector<Points>& holes, const Points& counte
   // outside the holes.
   const Vec2 low = camera_.to_world(Vec2(window_.left, window_.bottom) + Vec2(-margin, margin)),
              high = camera_.to_world(Vec2(window_.right, window_.top) + Vec2(margin, -margin));
-  const Points window{low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+  const Points window{low, {high.x, low.y}, high, {low.x, high.y}};
   fill(rows(window, holes), colour, counter_clockwise);
 }
 
@@ -208,10 +208,10 @@ void Painter::long_outline(const Points& polygon, Colour colour, float width, bo
 }
 
 bool Painter::seen(const Vec2& a, const Vec2& b) const {
-  return std::max(a.x(), b.x()) >= window_.left - margin &&
-         std::min(a.x(), b.x()) <= window_.right + margin &&
-         std::max(a.y(), b.y()) >= window_.top - margin &&
-         std::min(a.y(), b.y()) <= window_.bottom + margin;
+  return std::max(a.x, b.x) >= window_.left - margin &&
+         std::min(a.x, b.x) <= window_.right + margin &&
+         std::max(a.y, b.y) >= window_.top - margin &&
+         std::min(a.y, b.y) <= window_.bottom + margin;
 }
 
 bool Painter::clip(Vec2& a, Vec2& b) const {
@@ -270,7 +270,7 @@ void Painter::region(const Points& counter_clockwise, Colour fill, Colour line_c
 }
 
 void Painter::arrow(const Vec2& tail, const Vec2& head, Colour colour, float width) const {
-  const Vec2 along = (head - tail) / length(head - tail), aside(-along.y(), along.x());
+  const Vec2 along = (head - tail) / length(head - tail), aside(-along.y, along.x);
   const ImU32 packed = colour.at(strength_).packed();
   list_.AddLine(vec(tail), vec(head), packed, width);
   const ImVec2 barbs[] = {vec(head - along * 11 + aside * 8), vec(head),
@@ -283,7 +283,7 @@ void Painter::hatch_convex(const Points& counter_clockwise, bool rising, Colour 
   if (area.size() < 3) return;
   // On a line, x + y (rising: y grows downwards) or x − y is a constant c.
   const double sign = rising ? 1 : -1;
-  const auto c_of = [&](const Vec2& p) { return p.x() + sign * p.y(); };
+  const auto c_of = [&](const Vec2& p) { return p.x + sign * p.y; };
   double low = c_of(area[0]), high = low;
   for (const Vec2& p : area) {
     low = std::min(low, c_of(p));

@@ -48,7 +48,7 @@ class Ears {
       if (!hole.empty()) leftmost.push_back(leftmost_of(add_ring(hole, false)));
     // From left to right, so that each hole's left neighbours are joined first.
     std::stable_sort(leftmost.begin(), leftmost.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return nodes_[a].at.x() < nodes_[b].at.x();
+      return nodes_[a].at.x < nodes_[b].at.x;
     });
     for (const std::uint32_t node : leftmost) join(seen_from(node), node);
     sort_along_z();
@@ -97,7 +97,7 @@ class Ears {
   std::uint32_t leftmost_of(std::uint32_t ring) const {
     std::uint32_t found = ring;
     for (std::uint32_t i = nodes_[ring].next; i != ring; i = nodes_[i].next)
-      if (nodes_[i].at.x() < nodes_[found].at.x()) found = i;
+      if (nodes_[i].at.x < nodes_[found].at.x) found = i;
     return found;
   }
 
@@ -119,11 +119,11 @@ class Ears {
     std::uint32_t i = 0;
     do {
       const Vec2 &a = nodes_[i].at, &b = nodes_[nodes_[i].next].at;
-      if (a.y() >= from.y() && from.y() >= b.y() && a.y() > b.y()) {
-        const double x = a.x() + (b.x() - a.x()) * ((from.y() - a.y()) / (b.y() - a.y()));
-        if (x <= from.x() && (!met || x > meets.x())) {
-          met = a.x() < b.x() ? i : nodes_[i].next;
-          meets.x() = x;
+      if (a.y >= from.y && from.y >= b.y && a.y > b.y) {
+        const double x = a.x + (b.x - a.x) * ((from.y - a.y) / (b.y - a.y));
+        if (x <= from.x && (!met || x > meets.x)) {
+          met = a.x < b.x ? i : nodes_[i].next;
+          meets.x = x;
         }
       }
       i = nodes_[i].next;
@@ -133,21 +133,21 @@ class Ears {
 
   std::uint32_t nearest_to_ray(const Vec2& from, const Vec2& meets, std::uint32_t end) const {
     const Vec2 corner = nodes_[end].at;
-    const double side = corner.y() < from.y() ? 1 : -1;  // the sign of the triangle's area
+    const double side = corner.y < from.y ? 1 : -1;  // the sign of the triangle's area
     std::uint32_t found = end;
     double flattest = std::numeric_limits<double>::infinity(), farthest_right = 0;
     std::uint32_t i = 0;
     do {
       const Vec2& p = nodes_[i].at;
-      const bool within = p.x() < from.x() && side * cross(meets - from, p - from) >= 0 &&
+      const bool within = p.x < from.x && side * cross(meets - from, p - from) >= 0 &&
                           side * cross(corner - meets, p - meets) >= 0 &&
                           side * cross(from - corner, p - corner) >= 0;
       if (within && begins_inside(i, from)) {
-        const double slope = std::abs(p.y() - from.y()) / (from.x() - p.x());
-        if (slope < flattest || (slope == flattest && p.x() > farthest_right)) {
+        const double slope = std::abs(p.y - from.y) / (from.x - p.x);
+        if (slope < flattest || (slope == flattest && p.x > farthest_right)) {
           found = i;
           flattest = slope;
-          farthest_right = p.x();
+          farthest_right = p.x;
         }
       }
       i = nodes_[i].next;
@@ -176,16 +176,16 @@ class Ears {
     const auto bits = [&](double value, double low) {
       return static_cast<std::uint32_t>(std::clamp((value - low) * to_grid_, 0.0, 32767.0));
     };
-    return spread(bits(p.x(), low_.x())) | (spread(bits(p.y(), low_.y())) << 1);
+    return spread(bits(p.x, low_.x)) | (spread(bits(p.y, low_.y)) << 1);
   }
 
   void sort_along_z() {
     Vec2 high = low_ = nodes_[0].at;
     for (const Node& node : nodes_) {
-      low_ = {std::min(low_.x(), node.at.x()), std::min(low_.y(), node.at.y())};
-      high = {std::max(high.x(), node.at.x()), std::max(high.y(), node.at.y())};
+      low_ = {std::min(low_.x, node.at.x), std::min(low_.y, node.at.y)};
+      high = {std::max(high.x, node.at.x), std::max(high.y, node.at.y)};
     }
-    const double size = std::max(high.x() - low_.x(), high.y() - low_.y());
+    const double size = std::max(high.x - low_.x, high.y - low_.y);
     to_grid_ = size > 0 ? 32767 / size : 0;
     // Position on the curve and index in one integer: fast to sort.
     std::vector<unsigned long long> order(nodes_.size());
@@ -206,10 +206,10 @@ class Ears {
   bool is_ear(std::uint32_t i) const {
     const Node &b = nodes_[i], &a = nodes_[b.previous], &c = nodes_[b.next];
     if (!(turn(a, b, c) > 0)) return false;
-    const Vec2 low(std::min({a.at.x(), b.at.x(), c.at.x()}),
-                   std::min({a.at.y(), b.at.y(), c.at.y()}));
-    const Vec2 high(std::max({a.at.x(), b.at.x(), c.at.x()}),
-                    std::max({a.at.y(), b.at.y(), c.at.y()}));
+    const Vec2 low(std::min({a.at.x, b.at.x, c.at.x}),
+                   std::min({a.at.y, b.at.y, c.at.y}));
+    const Vec2 high(std::max({a.at.x, b.at.x, c.at.x}),
+                    std::max({a.at.y, b.at.y, c.at.y}));
     const std::uint32_t z_low = z_of(low), z_high = z_of(high);
     const auto blocks = [&](const Node& p) {
       if (&p == &a || &p == &b || &p == &c) return false;
@@ -249,7 +249,7 @@ class Ears {
 
   std::vector<Node> nodes_;
   std::uint32_t vertices_ = 0;
-  Vec2 low_ = Vec2::Zero();
+  Vec2 low_;
   double to_grid_ = 0;
 };
 

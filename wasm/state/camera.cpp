@@ -17,20 +17,20 @@ std::optional<PartOfSegment> part_within(const Rect& rect, const Vec2& a, const 
     return part.from <= part.to;
   };
   const Vec2 along = b - a;
-  if (!bound(a.x(), along.x(), rect.left, rect.right) ||
-      !bound(a.y(), along.y(), rect.top, rect.bottom))
+  if (!bound(a.x, along.x, rect.left, rect.right) ||
+      !bound(a.y, along.y, rect.top, rect.bottom))
     return std::nullopt;
   return part;
 }
 
 Vec2 Camera::to_screen(const Vec2& world) const {
-  return {anchor.x() + (world.x() - centre.x()) * scale,
-          anchor.y() - (world.y() - centre.y()) * scale};
+  return {anchor.x + (world.x - centre.x) * scale,
+          anchor.y - (world.y - centre.y) * scale};
 }
 
 Vec2 Camera::to_world(const Vec2& screen) const {
-  return {centre.x() + (screen.x() - anchor.x()) / scale,
-          centre.y() - (screen.y() - anchor.y()) / scale};
+  return {centre.x + (screen.x - anchor.x) / scale,
+          centre.y - (screen.y - anchor.y) / scale};
 }
 
 Camera fit(const Points& points, const Rect& room) {
@@ -40,7 +40,7 @@ Camera fit(const Points& points, const Rect& room) {
   const Box box = bounding_box(points);
   camera.centre = box.middle();
   // An edit may pass through a shape without extent: it is shown with a minimal one.
-  const double width = std::max(box.size().x(), 1e-9), height = std::max(box.size().y(), 1e-9);
+  const double width = std::max(box.size().x, 1e-9), height = std::max(box.size().y, 1e-9);
   camera.scale =
       std::min(std::max(room.width(), 40.0) / width, std::max(room.height(), 40.0) / height);
   return camera;
@@ -80,7 +80,7 @@ Vec2 nearest_dot(const Camera& camera, const Vec2& world) {
     const double at = step < 1 ? dots / inverse : dots * step;
     return at == 0 ? 0.0 : at;  // no -0
   };
-  return {nearest(world.x()), nearest(world.y())};
+  return {nearest(world.x), nearest(world.y)};
 }
 
 namespace {
@@ -94,7 +94,7 @@ Vec2 rounded(const Camera& camera, const Vec2& world, int more) {
         decimals >= 0 ? std::round(value * power) / power : std::round(value / power) * power;
     return nearest == 0 ? 0.0 : nearest;
   };
-  return {round(world.x()), round(world.y())};
+  return {round(world.x), round(world.y)};
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ struct Rect {
   Vec2 middle() const { return {(left + right) / 2, (top + bottom) / 2}; }
   bool operator==(const Rect&) const = default;
   bool contains(const Vec2& p) const {
-    return p.x() >= left && p.x() < right && p.y() >= top && p.y() < bottom;
+    return p.x >= left && p.x < right && p.y >= top && p.y < bottom;
   }
   bool overlaps(const Rect& other) const {
     return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
@@ -30,8 +30,8 @@ struct PartOfSegment {
 std::optional<PartOfSegment> part_within(const Rect& rect, const Vec2& a, const Vec2& b);
 
 struct Camera {
-  Vec2 centre = Vec2::Zero();  // polygon coordinates at `anchor`
-  Vec2 anchor = Vec2::Zero();  // pixels
+  Vec2 centre;  // polygon coordinates at `anchor`
+  Vec2 anchor;  // pixels
   double scale = 1;            // pixels per unit, > 0
 
   Vec2 to_screen(const Vec2& world) const;

@@ -72,7 +72,7 @@ struct Backdrop {
   std::uint32_t picture = 0;  // the picture's number, counted since the start
   bool traced = false;        // the present polygon was drawn on the picture
   bool operator==(const Backdrop&) const = default;
-  double width() const { return high.x() - low.x(); }
+  double width() const { return high.x - low.x; }
 };
 
 // What undo restores in addition to the document.

@@ -96,9 +96,9 @@ void split(Layout& l, const AppState& state, bool compared, double beside, doubl
   }
   l.second = l.free;
   if (l.wide)
-    l.first.right = l.second.left = l.free.middle().x();
+    l.first.right = l.second.left = l.free.middle().x;
   else
-    l.first.bottom = l.second.top = l.free.middle().y();
+    l.first.bottom = l.second.top = l.free.middle().y;
   l.caption = l.wide ? 64 : caption_above;
   Rect below_caption = l.first;
   below_caption.top += l.caption;
@@ -243,7 +243,7 @@ Layout narrow(const AppState& state) {
   split(l, state, state.work.second_method.has_value(), 60, 52, 52);
   // Left of the tools: a frame's corner cannot be grabbed under them.
   if (state.view.tool == Tool::transform && l.tools.height() > 0)
-    l.room.right = std::max(l.room.middle().x(), l.tools.left - 54);
+    l.room.right = std::max(l.room.middle().x, l.tools.left - 54);
   return l;
 }
 
@@ -299,11 +299,11 @@ Rect seat_of_notice(const AppState& state, const Layout& l) {
   constexpr double gap = 8, least_height = 100, widest = 560;
   if (!l.wide && state.view.sheet == Sheet::full && !presents_steps(state) &&
       !state.session.screen.embed)
-    return {l.margin, l.panel.middle().y(), state.session.screen.width - l.margin,
+    return {l.margin, l.panel.middle().y, state.session.screen.width - l.margin,
             l.panel.bottom - gap};
   const bool beside = presents_steps(state) || seats_card_beside(state);
   const Rect seat = beside ? inset(l.free, gap) : seat_of_card(state, l);
-  const double middle = seat.middle().x(), half = std::min(seat.width(), widest) / 2,
+  const double middle = seat.middle().x, half = std::min(seat.width(), widest) / 2,
                head = l.toolbar.bottom + 12;
   const double foot = std::min(seat.bottom, l.free.bottom - gap);
   return {middle - half, head, middle + half, std::max(foot, head + least_height)};
@@ -370,8 +370,8 @@ Camera camera_of_backdrop(const Backdrop& picture, const Layout& l) {
   const Rect room = room_for_backdrop(l);
   const Points box{picture.low, picture.high};
   Camera largest = fit(box, room);
-  const Vec2 corner = largest.to_screen(Vec2(picture.high.x(), picture.low.y()));  // lower right
-  if (corner.x() <= l.tools.left || corner.y() <= l.tools.top) return largest;
+  const Vec2 corner = largest.to_screen(Vec2(picture.high.x, picture.low.y));  // lower right
+  if (corner.x <= l.tools.left || corner.y <= l.tools.top) return largest;
   Rect beside = room, above = room;
   beside.right = l.tools.left - l.margin;
   above.bottom = l.tools.top - l.margin;
@@ -390,7 +390,7 @@ Camera fitting_camera(const AppState& state) {
   const std::optional<Vec2>& centre = state.work.document().centre_of_mass;
   if (vertices.empty()) return fit(vertices, room);
   Box box = bounding_box(vertices);
-  if (centre) box = {box.low.cwiseMin(*centre), box.high.cwiseMax(*centre)};
+  if (centre) box = {componentwise_min(box.low, *centre), componentwise_max(box.high, *centre)};
   const double out = stands_out(settings(state), box.diagonal());
   return fit({box.low - Vec2(out, out), box.high + Vec2(out, out)}, room);
 }

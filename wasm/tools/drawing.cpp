@@ -20,8 +20,8 @@ constexpr double half_turn = 180;
 int sign(double value) { return (value > 0) - (value < 0); }
 
 bool within_box(const Vec2& a, const Vec2& b, const Vec2& p) {
-  return std::min(a.x(), b.x()) <= p.x() && p.x() <= std::max(a.x(), b.x()) &&
-         std::min(a.y(), b.y()) <= p.y() && p.y() <= std::max(a.y(), b.y());
+  return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) &&
+         std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
 }
 
 bool meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
@@ -75,7 +75,7 @@ std::optional<std::size_t> placed_at(const AppState& state, const Vec2& screen) 
 
 Edge edge_between(const Vec2& from, const Vec2& to) {
   const Vec2 along = to - from;
-  return {length(along), arctangent2(along.y(), along.x()) * half_turn / pi};
+  return {length(along), arctangent2(along.y, along.x) * half_turn / pi};
 }
 
 std::string length_in_words(const AppState& state, double length) {
@@ -99,12 +99,12 @@ Vec2 typed_end(const Drawing& drawing, const Vec2& wanted) {
     const double nearest = std::round(value * power) / power;
     return nearest == 0 || !std::isfinite(nearest) ? 0.0 : nearest;
   };
-  return {rounded(from.x() + size * cosine(angle)), rounded(from.y() + size * sine(angle))};
+  return {rounded(from.x + size * cosine(angle)), rounded(from.y + size * sine(angle))};
 }
 
 std::optional<Vec2> centroid_of(const Points& chain) {
   if (chain.size() < 3) return std::nullopt;
-  Vec2 sum = Vec2::Zero();
+  Vec2 sum;
   double twice = 0;
   const Vec2& origin = chain.front();
   for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
@@ -125,11 +125,11 @@ Vec2 snapped(const AppState& state, const Vec2& to, const Vec2& before, const Ve
   Vec2 at = snapped(state, to);
   if (state.view.snap.axis) {
     const double reach = 12 / state.view.camera.scale;
-    double x = to.x(), y = to.y();
-    pull(x, before.x(), after.x(), reach);
-    pull(y, before.y(), after.y(), reach);
-    if (x != to.x()) at.x() = x;
-    if (y != to.y()) at.y() = y;
+    double x = to.x, y = to.y;
+    pull(x, before.x, after.x, reach);
+    pull(y, before.y, after.y, reach);
+    if (x != to.x) at.x = x;
+    if (y != to.y) at.y = y;
   }
   return at;
 }
@@ -158,7 +158,7 @@ std::vector<std::pair<std::size_t, std::size_t>> crossings(const Points& chain) 
 
 std::string drawing_text(const Drawing& drawing, bool is_hole) {
   std::string text(is_hole && !drawing.points.empty() ? first_line_of_hole : "");
-  for (const Vec2& p : drawing.points) text += shortest(p.x()) + "," + shortest(p.y()) + "\n";
+  for (const Vec2& p : drawing.points) text += shortest(p.x) + "," + shortest(p.y) + "\n";
   return text;
 }
 

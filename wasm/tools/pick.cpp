@@ -139,7 +139,7 @@ double uncertainty_for_grip(const AppState& state, const Vec2& screen) {
   const double away = distance(state.view.camera.to_screen(centre_of_mass(state)), screen);
   const double besides = disturbance_of(shown(state)).reach - shown(state).com_radius,
                radius = (away - grip_stands_off(state)) / state.view.camera.scale - besides;
-  return std::max(0.0, rounded_to_pixels(state.view.camera, Vec2(radius, 0)).x());
+  return std::max(0.0, rounded_to_pixels(state.view.camera, Vec2(radius, 0)).x);
 }
 
 Pick marked_part(const AppState& state) {

@@ -39,7 +39,7 @@ SetPolygon turned(const AppState& state, const PolygonGrip& grip, const Vec2& tu
   const Vec2 about = pivot(grip.vertices);
   return mapped(grip, [&](const Vec2& p) {
     const Vec2 d = p - about;
-    const Vec2 to(d.x() * turn.x() - d.y() * turn.y(), d.x() * turn.y() + d.y() * turn.x());
+    const Vec2 to(d.x * turn.x - d.y * turn.y, d.x * turn.y + d.y * turn.x);
     return rounded_finely(state.view.camera, about + to);
   });
 }
@@ -60,7 +60,7 @@ Vec2 knob_place(const AppState& state, const Rect& frame) {
   // there.
   const bool has_room = places.wide && places.caption == 0;
   const double top = places.first.top + places.caption - (has_room ? stalk : 0),
-               x = frame.middle().x();
+               x = frame.middle().x;
   if (frame.top - stalk >= top) return {x, frame.top - stalk};
   if (frame.bottom + stalk <= places.first.bottom) return {x, frame.bottom + stalk};
   return {x, std::max(top, frame.top) + stalk};
@@ -71,7 +71,7 @@ PolygonGrip now(const AppState& state) { return grip_of(state.work.document()); 
 Vec2 opposite_corner(const Box& box, FrameGrip grip) {
   const bool at_left = grip == FrameGrip::low_left || grip == FrameGrip::high_left;
   const bool below = grip == FrameGrip::low_left || grip == FrameGrip::low_right;
-  return {at_left ? box.high.x() : box.low.x(), below ? box.high.y() : box.low.y()};
+  return {at_left ? box.high.x : box.low.x, below ? box.high.y : box.low.y};
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ Vec2 opposite_corner(const Box& box, FrameGrip grip) {
 Rect transform_frame(const AppState& state) {
   const Box box = bounding_box(state.work.document().vertices);
   const Vec2 a = state.view.camera.to_screen(box.low), b = state.view.camera.to_screen(box.high);
-  return {a.x() - beyond, b.y() - beyond, b.x() + beyond, a.y() + beyond};
+  return {a.x - beyond, b.y - beyond, b.x + beyond, a.y + beyond};
 }
 
 Transformed since_grip(const AppState& state) {
@@ -101,13 +101,13 @@ Points turned_frame(const AppState& state) {
              high = state.view.camera.to_screen(box.high);
   const double angle = since_grip(state).degrees * pi / 180, c = std::cos(angle),
                s = std::sin(angle);
-  Points corners{{low.x() - beyond, high.y() - beyond},
-                 {high.x() + beyond, high.y() - beyond},
-                 {high.x() + beyond, low.y() + beyond},
-                 {low.x() - beyond, low.y() + beyond}};
+  Points corners{{low.x - beyond, high.y - beyond},
+                 {high.x + beyond, high.y - beyond},
+                 {high.x + beyond, low.y + beyond},
+                 {low.x - beyond, low.y + beyond}};
   for (Vec2& corner : corners) {
     const Vec2 d = corner - about;  // y points down, so the direction is reversed
-    corner = about + Vec2(d.x() * c + d.y() * s, d.y() * c - d.x() * s);
+    corner = about + Vec2(d.x * c + d.y * s, d.y * c - d.x * s);
   }
   return corners;
 }

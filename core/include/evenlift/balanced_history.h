@@ -67,7 +67,7 @@ bool is_quick_to_finish(const BalancedProblem& problem);
 // more than 1,000 vertices). There are no chords if `middle` is not strictly inside the convex hull
 // of P. O(n) at worst, usually much less.
 struct Completions {
-  Vec2 middle = Vec2::Zero();
+  Vec2 middle;
   std::vector<Chord> chords;
 };
 Completions completions(const BalancedProblem& problem, const std::vector<LiftingPoint>& robots);

@@ -28,7 +28,7 @@ struct Candidate {
   std::uint32_t source = 0;  // see TracedCandidates
   // A vector of any length from r1 towards r2. Chords that lead from one vertex to the interiors of
   // edges have exactly the same vector.
-  Vec2 direction = Vec2::Zero();
+  Vec2 direction;
   double length = 0;  // |r1 r2|
 };
 
@@ -62,7 +62,7 @@ Candidate opposite_chord(const Polygon& polygon, const Vec2& centre,
 // (1 - x) q0 + x q1.
 struct PairRange {
   std::uint32_t a = 0, b = 0;                 // the edges
-  Vec2 a0 = Vec2::Zero(), a1 = Vec2::Zero();  // ends of edge a's section, relative to C
+  Vec2 a0, a1;  // ends of edge a's section, relative to C
   double q0 = 1, q1 = 1;                      // q(0) and q(1), > 0
   double first = 0, last = 1;                 // the range's ends, first <= last
 

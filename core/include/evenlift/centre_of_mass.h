@@ -11,8 +11,8 @@
 namespace evenlift {
 
 struct CentreOfMass {
-  Vec2 own = Vec2::Zero();  // C0, of the object alone
-  Vec2 all = Vec2::Zero();  // C, with its cargo
+  Vec2 own;  // C0, of the object alone
+  Vec2 all;  // C, with its cargo
 };
 
 // C for the object whose C0 is `own`. O(items).
@@ -31,7 +31,7 @@ Result<CentreOfMass> centre_of_mass(const PolygonWithHoles& object,
 // with all items they are the whole weight and C, bit for bit. O(items).
 struct Loaded {
   double weight = 0;
-  Vec2 centre = Vec2::Zero();
+  Vec2 centre;
 };
 Loaded with_cargo(const Vec2& own, const Settings& settings, std::size_t items);
 

@@ -15,7 +15,7 @@ namespace evenlift {
 
 // A point where a robot may lift: on the boundary, or inside the object.
 struct LiftingPoint {
-  Vec2 position = Vec2::Zero();
+  Vec2 position;
   std::uint32_t edge = 0;  // an edge on which it lies, or `beneath`
 };
 

@@ -24,7 +24,7 @@ namespace evenlift {
 
 // A frictionless contact of a robot with an edge.
 struct Contact {
-  Vec2 position = Vec2::Zero();
+  Vec2 position;
   std::uint32_t edge = 0;
   std::uint32_t point = 0;  // the index of the robot's lifting point
   // The distance from the nearest corner (Polygon::is_corner) at an end of the contact's edge;

@@ -164,7 +164,7 @@ inline constexpr double usual_clear = 0.02;
 
 // A rigid load that is fixed to the object. It acts at its own centre of mass and may overhang.
 struct Cargo {
-  Vec2 at = Vec2::Zero();
+  Vec2 at;
   double weight = 0;  // min_weight .. max_weight
   std::string name;   // at most max_name_characters of UTF-8, no control characters
   bool operator==(const Cargo&) const = default;

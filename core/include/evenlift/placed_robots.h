@@ -17,9 +17,9 @@
 namespace evenlift {
 
 struct PlacedRobot {
-  Vec2 at = Vec2::Zero();       // the lifting point
-  Vec2 contact = Vec2::Zero();  // where it touches the boundary
-  Vec2 stand = Vec2::Zero();    // the centre of its body
+  Vec2 at;       // the lifting point
+  Vec2 contact;  // where it touches the boundary
+  Vec2 stand;    // the centre of its body
   bool beneath = false;         // whether it is beneath the object and has no contact (supports.h);
                                 // if so, `contact` and `stand` are the lifting point
   std::uint32_t team = 0;

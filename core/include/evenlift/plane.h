@@ -15,8 +15,8 @@ inline bool inside(const Points& polygon, const Vec2& p) {
   bool odd = false;
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
     const Vec2 &a = polygon[i], &b = polygon[j];
-    if ((a.y() > p.y()) != (b.y() > p.y()) &&
-        p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()))
+    if ((a.y > p.y) != (b.y > p.y) &&
+        p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y))
       odd = !odd;
   }
   return odd;
@@ -57,10 +57,10 @@ inline Points clip(Points polygon, const Box& box) {
     clip(polygon, depth, kept);
     polygon.swap(kept);
   };
-  keep([&](const Vec2& p) { return p.x() - box.low.x(); });
-  keep([&](const Vec2& p) { return box.high.x() - p.x(); });
-  keep([&](const Vec2& p) { return p.y() - box.low.y(); });
-  keep([&](const Vec2& p) { return box.high.y() - p.y(); });
+  keep([&](const Vec2& p) { return p.x - box.low.x; });
+  keep([&](const Vec2& p) { return box.high.x - p.x; });
+  keep([&](const Vec2& p) { return p.y - box.low.y; });
+  keep([&](const Vec2& p) { return box.high.y - p.y; });
   return polygon;
 }
 

@@ -62,7 +62,7 @@ class Polygon {
 
   Points vertices_;
   Points hull_;
-  Vec2 centroid_ = Vec2::Zero();
+  Vec2 centroid_;
   double diameter_ = 0;
   double diagonal_ = 0;
   double area_ = 0;

@@ -55,7 +55,7 @@ class PolygonWithHoles {
   std::vector<Polygon> holes_;
   Points boundary_;  // empty without holes
   double area_ = 0;
-  Vec2 centroid_ = Vec2::Zero();
+  Vec2 centroid_;
 };
 
 // The polygon of a document with its holes. The errors are those of Polygon::create() and

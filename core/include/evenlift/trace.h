@@ -141,7 +141,7 @@ struct Trace {
   const Polygon& polygon() const { return placement.polygon(); }
 
   Placement placement;
-  Vec2 centre = Vec2::Zero();  // C, with all cargo
+  Vec2 centre;  // C, with all cargo
   Units units;                 // for captions; the units change no number
 
   // The chords of ray i are chords[begins[i] .. begins[i + 1]). Chords that an earlier ray has
@@ -290,12 +290,12 @@ struct PairDetail {
   Outcome outcome = Outcome::bisecting;
   // The section of edge a runs from a[0] to a[1], and the section of edge b from b[0] to b[1].
   // ends[i] connects a[i] and b[i].
-  std::array<Vec2, 2> a{Vec2::Zero(), Vec2::Zero()}, b{Vec2::Zero(), Vec2::Zero()};
+  std::array<Vec2, 2> a{}, b{};
   std::array<Chord, 2> ends;
   // `reflected` is edge b reflected through C. Its line meets the line of edge a at `meeting`. This
   // is one end of the chord that C bisects; it may be far outside the section. `meeting` is empty
   // if the edges are parallel.
-  std::array<Vec2, 2> reflected{Vec2::Zero(), Vec2::Zero()};
+  std::array<Vec2, 2> reflected{};
   std::optional<Vec2> meeting;
   std::uint32_t nearer = 0;  // the end with the larger ratio: 0 or 1
   Chord chosen;              // the candidate's chord or, without one, the pair's best chord
@@ -364,8 +364,8 @@ OppositeDetail look_at_opposite(const Trace& trace, std::uint32_t index);
 // How much one end of a candidate would widen H.
 struct EndGain {
   bool outside = false;  // whether the end is outside H; otherwise its gain is 0
-  Vec2 h1 = Vec2::Zero(), h2 = Vec2::Zero();  // the edge of H in the direction from C to p
-  Vec2 p = Vec2::Zero();                      // the end
+  Vec2 h1, h2;  // the edge of H in the direction from C to p
+  Vec2 p;                      // the end
   double value = 0;                           // f(p)
 };
 // The key at which a candidate dropped out of a choice. For the choice as a whole, it is the key at
@@ -411,7 +411,7 @@ struct BalancedDetail {
   // In the steps `rest`, `mirror`, `completion`, `start` and `exchange`: how the set is completed.
   std::vector<LiftingPoint> rest;     // the robots that stay, and the one at a trial point
   std::optional<LiftingPoint> stand;  // the robot that came to a trial point
-  Vec2 middle = Vec2::Zero();         // of the two other robots
+  Vec2 middle;         // of the two other robots
   std::vector<Chord> chords;          // the even chords about the middle
   std::uint32_t chosen = 0;           // the index of the chord taken
   // In the step `exchange`: what changed since the preceding set.

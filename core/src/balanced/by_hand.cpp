@@ -9,7 +9,7 @@ namespace evenlift {
 namespace {
 
 double square(const LiftingPoint& a, const LiftingPoint& b) {
-  return (a.position - b.position).squaredNorm();
+  return squared_length(a.position - b.position);
 }
 
 }  // namespace

@@ -14,19 +14,19 @@ constexpr double rounding = 1e-9;  // of places in cells, and of shares
 double area_within(const Points& part, double from, double to) {
   Points cut;
   clip(
-      part, [&](const Vec2& p) { return p.x() - from; }, cut);
+      part, [&](const Vec2& p) { return p.x - from; }, cut);
   Points cell;
   clip(
-      cut, [&](const Vec2& p) { return to - p.x(); }, cell);
+      cut, [&](const Vec2& p) { return to - p.x; }, cell);
   return cell.size() < 3 ? 0 : std::fabs(signed_area(cell));
 }
 
 Points row_of(const Points& polygon, double from, double to) {
   Points cut, row;
   clip(
-      polygon, [&](const Vec2& p) { return p.y() - from; }, cut);
+      polygon, [&](const Vec2& p) { return p.y - from; }, cut);
   clip(
-      cut, [&](const Vec2& p) { return to - p.y(); }, row);
+      cut, [&](const Vec2& p) { return to - p.y; }, row);
   return row;
 }
 
@@ -35,11 +35,11 @@ Points row_of(const Points& polygon, double from, double to) {
 CoarseCover::CoarseCover(const PolygonWithHoles& object, const Vec2& centre) {
   const Box box = bounding_box(object.outline().vertices());
   low_ = box.low - centre;
-  scale_ = static_cast<double>(cells) * box.size().cwiseInverse();
+  scale_ = static_cast<double>(cells) * Vec2(1 / box.size().x, 1 / box.size().y);
   Points in_cells;
   for (const Vec2& v : object.boundary())
-    in_cells.push_back((v - centre - low_).cwiseProduct(scale_));
-  const double whole = object.area() * scale_.x() * scale_.y();
+    in_cells.push_back(componentwise_product(v - centre - low_, scale_));
+  const double whole = object.area() * scale_.x * scale_.y;
   for (std::size_t row = 0; row < cells; ++row) {
     const auto y = static_cast<double>(row);
     const Points part = row_of(in_cells, y, y + 1);
@@ -56,28 +56,28 @@ std::size_t CoarseCover::cell_of(double place) {
 
 // Widens each of `rows` to include the part of the side a b of H in that row.
 void CoarseCover::widen(Rows& rows, const Vec2& a, const Vec2& b) {
-  const Vec2 &lower = a.y() <= b.y() ? a : b, &upper = a.y() <= b.y() ? b : a;
-  const double height = upper.y() - lower.y();
-  const double slope = height > 0 ? (upper.x() - lower.x()) / height : 0;
+  const Vec2 &lower = a.y <= b.y ? a : b, &upper = a.y <= b.y ? b : a;
+  const double height = upper.y - lower.y;
+  const double slope = height > 0 ? (upper.x - lower.x) / height : 0;
   const auto widen_row = [&](std::size_t row, double x) {
     rows[row].first = std::min(rows[row].first, x);
     rows[row].last = std::max(rows[row].last, x);
   };
-  const std::size_t bottom = cell_of(lower.y() - rounding), top = cell_of(upper.y() + rounding);
-  widen_row(bottom, lower.x());
+  const std::size_t bottom = cell_of(lower.y - rounding), top = cell_of(upper.y + rounding);
+  widen_row(bottom, lower.x);
   for (std::size_t row = bottom; row < top; ++row) {
-    const double x = lower.x() + slope * (static_cast<double>(row + 1) - lower.y());
-    const double within = std::clamp(x, std::min(a.x(), b.x()), std::max(a.x(), b.x()));
+    const double x = lower.x + slope * (static_cast<double>(row + 1) - lower.y);
+    const double within = std::clamp(x, std::min(a.x, b.x), std::max(a.x, b.x));
     widen_row(row, within);
     widen_row(row + 1, within);
   }
-  widen_row(top, upper.x());
+  widen_row(top, upper.x);
 }
 
 double CoarseCover::most(const SmallHull& hull) const {
   Rows rows;
   const auto corner = [&](std::size_t i) -> Vec2 {
-    return (hull.corners[i] - low_).cwiseProduct(scale_);
+    return componentwise_product(hull.corners[i] - low_, scale_);
   };
   if (hull.size == 0) return 0;
   Vec2 last = corner(hull.size - 1);

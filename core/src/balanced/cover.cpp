@@ -17,7 +17,7 @@ class Cover::Sum {
       : cover_(cover), boundary_(cover.object_.boundary()), hull_(hull) {
     for (std::size_t i = 0; i < hull.size; ++i) {
       const Vec2 &a = hull.corners[i], along = next_corner(i) - a;
-      normals_[i] = {along.y(), -along.x()};
+      normals_[i] = {along.y, -along.x};
       bounds_[i] = dot(normals_[i], a);
       sectors_[i + 1] = sectors_[i] + cross(a, next_corner(i));
     }
@@ -57,7 +57,7 @@ class Cover::Sum {
     for (std::size_t i = 0; i < hull_.size; ++i) {
       const double at = dot(normals_[i], middle) - bounds_[i];
       const double reach =
-          std::fabs(normals_[i].x()) * half.x() + std::fabs(normals_[i].y()) * half.y();
+          std::fabs(normals_[i].x) * half.x + std::fabs(normals_[i].y) * half.y;
       if (at >= reach) return Side::outside;
       if (at > -reach) side = Side::both;
     }
@@ -134,7 +134,7 @@ class Cover::Sum {
   std::array<double, most_robots> bounds_{};
   std::array<double, most_robots + 1> sectors_{};  // twice the area before each corner
   double doubled_area_ = 0;
-  Vec2 last_ = Vec2::Zero();  // the end of the last part outside, and the sector before it
+  Vec2 last_;  // the end of the last part outside, and the sector before it
   double before_last_ = 0;
 };
 

@@ -16,7 +16,7 @@ namespace {
 struct Interval {
   std::uint32_t edge = 0;
   double from = 0, to = 0;
-  Vec2 start = Vec2::Zero(), along = Vec2::Zero();
+  Vec2 start, along;
   std::uint32_t most = 0;  // the number of robots that fit beside each other
 
   Vec2 at(double t) const { return start + t * along; }
@@ -62,7 +62,7 @@ Reach reach_of(const Interval& interval) {
 // Finds shares that make the sum of all positions 0: those that move it farthest straight towards
 // 0, scaled back (a knapsack with divisible items). Returns false if it cannot reach 0.
 bool settle(std::vector<Group>& groups, double near) {
-  Vec2 missing = Vec2::Zero();
+  Vec2 missing;
   for (const Group& group : groups) missing -= group.robots * group.interval->at(group.middle);
   const double way = length(missing);
   if (way <= near) return true;

@@ -65,7 +65,7 @@ class Settler {
     while (other < end && is_first(other)) ++other;
     if (other == end) return;
     fill(begin, end);
-    const Vec2 zero = Vec2::Zero();
+    const Vec2 zero;
     sort_indices(members_, [&](std::uint32_t i, std::uint32_t j) {
       return cross_of_differences(zero, direction(i), zero, direction(j)) > 0;
     });
@@ -117,7 +117,7 @@ class Settler {
 
   static std::array<double, 4> coordinates(const Candidate& c) {
     const Vec2 &p = c.chord.r1.position, &q = c.chord.r2.position;
-    return {p.x(), p.y(), q.x(), q.y()};
+    return {p.x, p.y, q.x, q.y};
   }
 
   void fill(std::size_t begin, std::size_t end) {

@@ -63,7 +63,7 @@ class Merger {
   // Candidate::direction.
   Slopes slopes(Index i) const {
     const Vec2 u = candidates_[i].chord.r2.position - candidates_[i].chord.r1.position;
-    const double width = std::fabs(u.x()), height = std::fabs(u.y());
+    const double width = std::fabs(u.x), height = std::fabs(u.y);
     if (width == 0 && height == 0) return {-full_turn, full_turn};  // the ends rounded to one point
     const double reach = std::min(8 * near_ / std::max(width, height), full_turn);
     const double middle = line_pseudo_angle(u);
@@ -113,13 +113,13 @@ class Merger {
       case 0:
         return -length(q - p);  // candidate order: the longer first
       case 1:
-        return std::max(p.x(), q.x());
+        return std::max(p.x, q.x);
       case 2:
-        return std::max(p.y(), q.y());
+        return std::max(p.y, q.y);
       case 3:
-        return std::min(p.x(), q.x());
+        return std::min(p.x, q.x);
       default:
-        return std::min(p.y(), q.y());
+        return std::min(p.y, q.y);
     }
   }
   // Agreeing chords differ by at most `near` in coordinates, twice that plus rounding in length.

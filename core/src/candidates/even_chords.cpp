@@ -50,7 +50,7 @@ class EvenChords::Search {
     // The ends of even chords are within 3 tau L of the mirror image; the rest allows for rounding.
     near_ = near_distance(polygon_.diameter());
     constexpr double rounding = 0x1p-48;
-    slack_ = 4 * near_ + rounding * (chords.size_ + centre.cwiseAbs().maxCoeff());
+    slack_ = 4 * near_ + rounding * (chords.size_ + max_norm(centre));
   }
 
   std::vector<Candidate> run() {
@@ -60,10 +60,10 @@ class EvenChords::Search {
 
  private:
   bool can_meet(const Box& a, const Box& b) const {
-    return a.low.x() + b.low.x() <= twice_.x() + slack_ &&
-           a.low.y() + b.low.y() <= twice_.y() + slack_ &&
-           a.high.x() + b.high.x() >= twice_.x() - slack_ &&
-           a.high.y() + b.high.y() >= twice_.y() - slack_;
+    return a.low.x + b.low.x <= twice_.x + slack_ &&
+           a.low.y + b.low.y <= twice_.y + slack_ &&
+           a.high.x + b.high.x >= twice_.x - slack_ &&
+           a.high.y + b.high.y >= twice_.y - slack_;
   }
 
   void visit(std::uint32_t i, std::uint32_t j) {
@@ -163,11 +163,14 @@ EvenChords::Sample EvenChords::sample_of(const Polygon& polygon, const Stands* s
   std::vector<LineEnds> lines;
   const bool moved = stands != nullptr && stands->robot().depth > 0;
   for (const std::uint32_t edge : edges) {
-    const auto line = moved ? stand_line(polygon, Vec2::Zero(), *stands, edge) : std::nullopt;
-    if (moved && !line) continue;
+    if (!moved) {
+      lines.push_back({polygon.edge_start(edge), polygon.edge_end(edge)});
+    } else if (const auto line = stand_line(polygon, {}, *stands, edge)) {
+      lines.push_back({line->at(line->low), line->at(line->high)});
+    } else {
+      continue;
+    }
     kept.push_back(edge);
-    lines.push_back(moved ? LineEnds{line->at(line->low), line->at(line->high)}
-                          : LineEnds{polygon.edge_start(edge), polygon.edge_end(edge)});
   }
   EdgeTree tree(lines);
   return {std::move(kept), std::move(lines), std::move(tree)};
@@ -177,7 +180,7 @@ EvenChords::EvenChords(const Polygon& polygon, const Stands* stands)
     : polygon_(polygon),
       stands_(stands),
       all_(sample_of(polygon, stands, indices_below(polygon.size()))) {
-  for (const Vec2& v : polygon.vertices()) size_ = std::max(size_, v.cwiseAbs().maxCoeff());
+  for (const Vec2& v : polygon.vertices()) size_ = std::max(size_, max_norm(v));
 }
 
 EvenChords::EvenChords(const Polygon& polygon, const Stands* stands,

@@ -153,7 +153,7 @@ Vec2 bisecting_offset(const Vec2& centre, const SeenEdge& a, const SeenEdge& b) 
   }
 
   const auto difference = [](const Vec2& p, const Vec2& q) {
-    return std::pair(two_difference(q.x(), p.x()), two_difference(q.y(), p.y()));
+    return std::pair(two_difference(q.x, p.x), two_difference(q.y, p.y));
   };
   const auto fine_cross = [](const auto& u, const auto& v) {
     return u.first * v.second - u.second * v.first;

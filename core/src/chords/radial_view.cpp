@@ -64,7 +64,7 @@ class DirectionSort {
   // A pseudo-angle in [0, 4) for a direction in [0, 180) degrees.
   static double half_turn_pseudo_angle(const Vec2& u) {
     const double angle = line_pseudo_angle(u);
-    return u.x() > 0 || u.y() > std::fabs(u.x()) ? angle : 4 + angle;
+    return u.x > 0 || u.y > std::fabs(u.x) ? angle : 4 + angle;
   }
 
   bool may_be_out_of_order(std::size_t k) const {
@@ -98,7 +98,7 @@ class DirectionSort {
 }  // namespace
 
 bool is_forward(const Vec2& centre, const Vec2& v) {
-  return v.y() > centre.y() || (v.y() == centre.y() && v.x() > centre.x());
+  return v.y > centre.y || (v.y == centre.y && v.x > centre.x);
 }
 
 RadialView::RadialView(const Polygon& polygon, const Vec2& centre) {

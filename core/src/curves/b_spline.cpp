@@ -30,7 +30,7 @@ class Span {
       const double at = knots_[r <= ends ? k_ + 1 : k_];
       for (std::size_t j = degree_; j >= r; --j) {
         const double low = knots_[k_ - degree_ + j], high = knots_[k_ + 1 + j - r];
-        d[j] = d[j - 1] + (d[j] - d[j - 1]) * ((at - low) / (high - low));
+        d[j] = d[j - 1] + ((at - low) / (high - low)) * (d[j] - d[j - 1]);
       }
     }
     return d[degree_];
@@ -76,13 +76,13 @@ class WeightedSpans {
     for (std::size_t i = 0; i < control.size(); ++i) {
       const double weight = weights.empty() ? 1 : weights[i] / greatest;
       const Vec2 point = (control[i] - origin_) * weight;
-      control_.push_back({point.x(), point.y(), weight});
+      control_.push_back({point.x, point.y, weight});
     }
   }
 
   Vec2 start(std::size_t k) const {
     const WeightedPoint p = Span(control_, knots_, degree_, k).corner(0);
-    return origin_ + p.head<2>() / p.z();
+    return origin_ + Vec2(p.x, p.y) / p.z;
   }
   void add(Outline& outline, std::size_t k, std::size_t most) const {
     const Span span(control_, knots_, degree_, k);
@@ -129,7 +129,7 @@ std::optional<Outline> Outline::b_spline(const Points& control, const std::vecto
   const auto positive = [](double weight) { return weight > 0; };
   if (!std::all_of(weights.begin(), weights.end(), positive)) return std::nullopt;
   const Vec2 size = bounding_box(control).size();
-  const double side = std::max(size.x(), size.y()), gap = same_end * side;
+  const double side = std::max(size.x, size.y), gap = same_end * side;
   const auto differs = [&](double weight) { return weight != weights.front(); };
   const bool weighted = std::any_of(weights.begin(), weights.end(), differs);
   if (degree <= 3 && !weighted)

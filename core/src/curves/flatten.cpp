@@ -95,7 +95,7 @@ class Flattener {
   }
 
   Points points_;
-  Vec2 from_ = Vec2::Zero();
+  Vec2 from_;
   double square_;
   std::size_t most_;
   bool full_ = false;

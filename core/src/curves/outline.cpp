@@ -20,7 +20,7 @@ void add_short_bulge(Outline& outline, const Vec2& end, double bulge) {
   // the right of a counter-clockwise arc.
   const Vec2 corner = middle(outline.end(), end) - left_normal(chord) * (bulge / (1 - square));
   outline.pieces.push_back(
-      {CurvePiece::Kind::conic, end, corner, Vec2::Zero(), (1 - square) / (1 + square)});
+      {CurvePiece::Kind::conic, end, corner, Vec2{}, (1 - square) / (1 + square)});
 }
 
 void add_bulge(Outline& outline, const Vec2& end, double bulge) {
@@ -62,7 +62,7 @@ void Outline::cubic_to(const Vec2& first, const Vec2& second, const Vec2& to) {
 }
 
 void Outline::quarter_to(const Vec2& corner, const Vec2& to) {
-  pieces.push_back({CurvePiece::Kind::conic, to, corner, Vec2::Zero(), quarter_weight});
+  pieces.push_back({CurvePiece::Kind::conic, to, corner, Vec2{}, quarter_weight});
 }
 
 void Outline::bulge_to(const Vec2& to, double bulge) {
@@ -84,7 +84,7 @@ void Outline::arc_to(const Affine& frame, const Vec2& from, const Vec2& to, bool
     at = next;
   }
   const double cosine = std::clamp(dot(at, to), 0.0, 1.0);
-  pieces.push_back({CurvePiece::Kind::conic, last, frame((at + to) / (1 + cosine)), Vec2::Zero(),
+  pieces.push_back({CurvePiece::Kind::conic, last, frame((at + to) / (1 + cosine)), Vec2{},
                     std::sqrt((1 + cosine) / 2)});
 }
 

@@ -15,7 +15,7 @@ namespace evenlift {
 struct Affine {
   double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
   Vec2 operator()(const Vec2& p) const {
-    return {a * p.x() + c * p.y() + e, b * p.x() + d * p.y() + f};
+    return {a * p.x + c * p.y + e, b * p.x + d * p.y + f};
   }
   // The map that applies `inner` first and then this map.
   Affine operator*(const Affine& inner) const;
@@ -30,7 +30,7 @@ struct CurvePiece {
   enum class Kind : std::uint8_t { line, conic, cubic };
   Kind kind;
   Vec2 end;
-  Vec2 first = Vec2::Zero(), second = Vec2::Zero();  // control points: a conic has only the first
+  Vec2 first, second;  // control points: a conic has only the first
   double weight = 1;                                 // of a conic's control point, in (0, 1]
 };
 
@@ -39,7 +39,7 @@ inline constexpr std::size_t max_spline_pieces = std::size_t{1} << 20;
 
 // An outline, or a part of one.
 struct Outline {
-  Vec2 start = Vec2::Zero();
+  Vec2 start;
   std::vector<CurvePiece> pieces;
 
   const Vec2& end() const { return pieces.empty() ? start : pieces.back().end; }

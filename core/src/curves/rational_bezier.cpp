@@ -13,7 +13,7 @@ namespace {
 
 constexpr int most_bezier_halvings = 10;
 
-Vec2 plain(const WeightedPoint& p) { return p.head<2>() / p.z(); }
+Vec2 plain(const WeightedPoint& p) { return Vec2(p.x, p.y) / p.z; }
 
 struct Cubic {
   Vec2 points[4];
@@ -24,8 +24,8 @@ Cubic tangent_cubic(const RationalBezier& curve) {
   const WeightedPoint* p = curve.points;
   const Vec2 start = plain(p[0]), end = plain(p[n]);
   const double third = static_cast<double>(n) / 3;
-  return {{start, start + (plain(p[1]) - start) * (third * (p[1].z() / p[0].z())),
-           end + (plain(p[n - 1]) - end) * (third * (p[n - 1].z() / p[n].z())), end}};
+  return {{start, start + (plain(p[1]) - start) * (third * (p[1].z / p[0].z)),
+           end + (plain(p[n - 1]) - end) * (third * (p[n - 1].z / p[n].z)), end}};
 }
 
 // An upper bound of the distance of the curve from the cubic at the same parameter.
@@ -35,13 +35,13 @@ double deviation(const RationalBezier& curve, const Cubic& cubic,
   const std::size_t n = curve.degree;
   double greatest = 0;
   for (std::size_t k = 0; k <= n + 3; ++k) {
-    Vec2 difference = Vec2::Zero();
+    Vec2 difference;
     double weight = 0;
     for (std::size_t j = k > n ? k - n : 0; j <= std::min<std::size_t>(k, 3); ++j) {
       const WeightedPoint& p = curve.points[k - j];
       const double factor = binomials[k - j] * cubic_factors[j];
-      difference += factor * (p.head<2>() - p.z() * cubic.points[j]);
-      weight += factor * p.z();
+      difference += factor * (Vec2(p.x, p.y) - p.z * cubic.points[j]);
+      weight += factor * p.z;
     }
     greatest = std::max(greatest, length(difference) / weight);
   }
@@ -78,10 +78,10 @@ class Converter {
   // A change of the parameter gives both ends the weight 1.
   bool add_conic(const RationalBezier& curve) {
     const WeightedPoint* p = curve.points;
-    const double weight = p[1].z() / std::sqrt(p[0].z()) / std::sqrt(p[2].z());
+    const double weight = p[1].z / std::sqrt(p[0].z) / std::sqrt(p[2].z);
     if (!(weight > 0 && weight <= 1)) return false;
     outline_.pieces.push_back({CurvePiece::Kind::conic, origin_ + plain(p[2]),
-                               origin_ + plain(p[1]), Vec2::Zero(), weight});
+                               origin_ + plain(p[1]), Vec2{}, weight});
     return true;
   }
 

@@ -2,11 +2,12 @@
 #pragma once
 
 #include "curves/outline.h"
+#include "evenlift/vec.h"
 
 namespace evenlift {
 
 // A control point (x, y) of weight w > 0, as (x w, y w, w).
-using WeightedPoint = Eigen::Vector3d;
+using WeightedPoint = Vec3;
 
 struct RationalBezier {
   std::size_t degree = 1;

@@ -41,7 +41,7 @@ bool is_control(std::string_view character) {
 }
 
 bool is_item(const Cargo& item) {
-  return item.at.allFinite() && item.at.cwiseAbs().maxCoeff() <= max_coordinate &&
+  return is_finite(item.at) && max_norm(item.at) <= max_coordinate &&
          !fault_of_cargo_weight(item.weight) && !fault_of_cargo_name(item.name);
 }
 
@@ -100,7 +100,7 @@ std::string_view refused_cargo(std::string_view text) { return refused_item(text
 std::string cargo_text(const std::vector<Cargo>& cargo) {
   std::string text;
   for (const Cargo& item : cargo) {
-    text += (text.empty() ? "" : " ") + shortest(item.at.x()) + ',' + shortest(item.at.y()) + ':' +
+    text += (text.empty() ? "" : " ") + shortest(item.at.x) + ',' + shortest(item.at.y) + ':' +
             shortest(item.weight);
     if (!item.name.empty()) text += ':' + name_text(item.name);
   }

@@ -47,7 +47,7 @@ bool take(std::string_view text, const SettingRange&, std::optional<Vec2>& centr
 }
 
 std::string text_of(const std::optional<Vec2>& centre, const SettingRange&) {
-  return centre ? shortest(centre->x()) + "," + shortest(centre->y()) : "centroid";
+  return centre ? shortest(centre->x) + "," + shortest(centre->y) : "centroid";
 }
 
 // The size of the numbers is checked together with the vertices.
@@ -103,7 +103,7 @@ bool take(std::string_view text, const SettingRange&, Points& supports) {
 std::string text_of(const Points& supports, const SettingRange&) { return supports_text(supports); }
 bool is_within(const Points& supports, const SettingRange&) {
   const auto is_bounded = [](const Vec2& at) {
-    return std::fabs(at.x()) <= max_coordinate && std::fabs(at.y()) <= max_coordinate;
+    return std::fabs(at.x) <= max_coordinate && std::fabs(at.y) <= max_coordinate;
   };
   return supports.size() <= most_supports &&
          std::all_of(supports.begin(), supports.end(), is_bounded);

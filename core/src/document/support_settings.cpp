@@ -56,7 +56,7 @@ std::string_view refused_support(std::string_view text) { return refused_item(te
 std::string supports_text(const Points& supports) {
   std::string text;
   for (const Vec2& at : supports)
-    text += (text.empty() ? "" : " ") + shortest(at.x()) + ',' + shortest(at.y());
+    text += (text.empty() ? "" : " ") + shortest(at.x) + ',' + shortest(at.y);
   return text.empty() ? "none" : text;
 }
 

@@ -65,17 +65,17 @@ Dyadic exact_difference(double a, double b) { return Dyadic(a) - Dyadic(b); }
 }  // namespace
 
 double cross_of_differences(const Vec2& a0, const Vec2& a1, const Vec2& b0, const Vec2& b1) {
-  const Products<double> coarse{a1.x() - a0.x(), a1.y() - a0.y(), b1.x() - b0.x(), b1.y() - b0.y()};
+  const Products<double> coarse{a1.x - a0.x, a1.y - a0.y, b1.x - b0.x, b1.y - b0.y};
   return adaptive_determinant(
       coarse, std::fabs(coarse.x1 * coarse.y2), std::fabs(coarse.x2 * coarse.y1),
       [&] {
         return Products<DoubleDouble>{
-            fine_difference(a1.x(), a0.x()), fine_difference(a1.y(), a0.y()),
-            fine_difference(b1.x(), b0.x()), fine_difference(b1.y(), b0.y())};
+            fine_difference(a1.x, a0.x), fine_difference(a1.y, a0.y),
+            fine_difference(b1.x, b0.x), fine_difference(b1.y, b0.y)};
       },
       [&] {
-        return Products<Dyadic>{exact_difference(a1.x(), a0.x()), exact_difference(a1.y(), a0.y()),
-                                exact_difference(b1.x(), b0.x()), exact_difference(b1.y(), b0.y())};
+        return Products<Dyadic>{exact_difference(a1.x, a0.x), exact_difference(a1.y, a0.y),
+                                exact_difference(b1.x, b0.x), exact_difference(b1.y, b0.y)};
       });
 }
 
@@ -85,15 +85,15 @@ double orient(const Vec2& a, const Vec2& b, const Vec2& c) {
 
 double dot_of_differences(const Vec2& a0, const Vec2& a1, const Vec2& b0, const Vec2& b1) {
   // a . b is the cross product of a and b turned by +90 degrees.
-  const Vec2 c0(-b0.y(), b0.x()), c1(-b1.y(), b1.x());
+  const Vec2 c0(-b0.y, b0.x), c1(-b1.y, b1.x);
   return cross_of_differences(a0, a1, c0, c1);
 }
 
 double orient_mirrored(const Vec2& centre, const Vec2& w, const Vec2& b, const Vec2& c) {
   // b - w' is (b - centre) + (w - centre).
-  const double bx = b.x() - centre.x(), by = b.y() - centre.y();
-  const double wx = w.x() - centre.x(), wy = w.y() - centre.y();
-  const Products<double> coarse{bx + wx, by + wy, c.x() - b.x(), c.y() - b.y()};
+  const double bx = b.x - centre.x, by = b.y - centre.y;
+  const double wx = w.x - centre.x, wy = w.y - centre.y;
+  const Products<double> coarse{bx + wx, by + wy, c.x - b.x, c.y - b.y};
   const double size1 = (std::fabs(bx) + std::fabs(wx)) * std::fabs(coarse.y2);
   const double size2 = (std::fabs(by) + std::fabs(wy)) * std::fabs(coarse.x2);
   // The rounded sum may vanish although the exact one does not. A factor other than 0 prevents the
@@ -105,15 +105,15 @@ double orient_mirrored(const Vec2& centre, const Vec2& w, const Vec2& b, const V
       guarded, size1, size2,
       [&] {
         return Products<DoubleDouble>{
-            fine_difference(b.x(), centre.x()) + fine_difference(w.x(), centre.x()),
-            fine_difference(b.y(), centre.y()) + fine_difference(w.y(), centre.y()),
-            fine_difference(c.x(), b.x()), fine_difference(c.y(), b.y())};
+            fine_difference(b.x, centre.x) + fine_difference(w.x, centre.x),
+            fine_difference(b.y, centre.y) + fine_difference(w.y, centre.y),
+            fine_difference(c.x, b.x), fine_difference(c.y, b.y)};
       },
       [&] {
         return Products<Dyadic>{
-            exact_difference(b.x(), centre.x()) + exact_difference(w.x(), centre.x()),
-            exact_difference(b.y(), centre.y()) + exact_difference(w.y(), centre.y()),
-            exact_difference(c.x(), b.x()), exact_difference(c.y(), b.y())};
+            exact_difference(b.x, centre.x) + exact_difference(w.x, centre.x),
+            exact_difference(b.y, centre.y) + exact_difference(w.y, centre.y),
+            exact_difference(c.x, b.x), exact_difference(c.y, b.y)};
       });
 }
 

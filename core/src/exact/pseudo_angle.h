@@ -17,9 +17,9 @@ namespace evenlift {
 inline double pseudo_angle(const Vec2& u) {
   const double size = one_norm(u);
   if (size == 0) return 0;
-  const double part = u.y() / size;
-  if (u.x() < 0) return 2 - part;
-  if (u.y() >= 0) return part;
+  const double part = u.y / size;
+  if (u.x < 0) return 2 - part;
+  if (u.y >= 0) return part;
   const double angle = 4 + part;
   return angle < 4 ? angle : 0;  // if part is just below 0, 4 + part rounds to 4, the full turn
 }
@@ -38,8 +38,8 @@ inline double pseudo_angle_from(double origin, double angle) {
 // degrees, the value begins at -2 and never decreases, except that it drops from 3 to -1 at 135
 // degrees. Rounding does not change this, since each operation rounds correctly. O(1).
 inline double line_pseudo_angle(const Vec2& u) {
-  if (std::fabs(u.y()) <= std::fabs(u.x())) return u.y() / u.x();
-  return (u.y() > 0 ? 2.0 : -2.0) - u.x() / u.y();
+  if (std::fabs(u.y) <= std::fabs(u.x)) return u.y / u.x;
+  return (u.y > 0 ? 2.0 : -2.0) - u.x / u.y;
 }
 
 // The direction in which C sees an item of for_each_between(), relative to the two corners.

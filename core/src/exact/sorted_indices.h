@@ -38,7 +38,7 @@ SortedIndices sorted_indices(std::size_t n, const Before& before) {
 }
 
 inline bool lexicographically_before(const Vec2& a, const Vec2& b) {
-  return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  return a.x != b.x ? a.x < b.x : a.y < b.y;
 }
 
 // The indices of the points, sorted by x, then by y, then by index. O(n log n).

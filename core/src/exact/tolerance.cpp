@@ -21,7 +21,7 @@ bool directions_agree(const Vec2& a, const Vec2& b) {
 }
 
 bool is_vertical(const Vec2& direction) {
-  const double x = std::fabs(direction.x());
+  const double x = std::fabs(direction.x);
   return x <= 2 * tau * one_norm(direction) && x <= tau * length(direction);
 }
 

@@ -8,9 +8,9 @@ namespace evenlift {
 namespace {
 
 void append_pair(std::string& text, const Vec2& point, const char* separator) {
-  append_shortest(text, point.x());
+  append_shortest(text, point.x);
   text += separator;
-  append_shortest(text, point.y());
+  append_shortest(text, point.y);
 }
 
 // The ring and its first vertex again, as WKT and GeoJSON require.

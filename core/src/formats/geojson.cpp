@@ -109,9 +109,9 @@ class GeojsonReader final : public JsonSink {
   bool has_geometry_ = false;
   GeometryObject whole_;
   GeometryObject geometry_;
-  Vec2 centre_ = Vec2::Zero();
+  Vec2 centre_;
   bool has_centre_ = false;
-  Vec2 position_ = Vec2::Zero();
+  Vec2 position_;
   std::optional<InputError> error_;
 };
 
@@ -190,7 +190,7 @@ bool GeojsonReader::take_centre(Role role, const JsonValue& value, std::size_t i
     if (has_centre_) return true;
   } else if (value.kind == Kind::number) {
     if (index > 1) return fail(ErrorCode::unsupported, no_third_coordinate, value.offset);
-    centre_[static_cast<Eigen::Index>(index)] = value.number;
+    centre_[index] = value.number;
     return true;
   }
   return fail(ErrorCode::bad_syntax, "\"centre_of_mass\" is not [x, y]", value.offset);
@@ -215,7 +215,7 @@ bool GeojsonReader::take_coordinates(Role role, const JsonValue& value, std::siz
     return note_fault(ErrorCode::bad_syntax, "expected a number as a coordinate", value.offset);
   }
   if (index > 1) return note_fault(ErrorCode::unsupported, no_third_coordinate, value.offset);
-  position_[static_cast<Eigen::Index>(index)] = value.number;
+  position_[index] = value.number;
   return true;
 }
 

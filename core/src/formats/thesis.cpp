@@ -15,11 +15,11 @@ namespace {
 std::optional<InputError> take_pair(TextCursor& cursor, const char* before, Vec2& point) {
   if (!cursor.take('(')) return cursor.expected(before);
   cursor.skip_spaces_in_line();
-  if (auto error = cursor.take_number(point.x(), "a number")) return error;
+  if (auto error = cursor.take_number(point.x, "a number")) return error;
   cursor.skip_spaces_in_line();
   if (!cursor.take(',')) return cursor.expected("',' between the coordinates");
   cursor.skip_spaces_in_line();
-  if (auto error = cursor.take_number(point.y(), "a number")) return error;
+  if (auto error = cursor.take_number(point.y, "a number")) return error;
   cursor.skip_spaces_in_line();
   if (cursor.sees(',')) return cursor.error(ErrorCode::unsupported, no_third_coordinate);
   if (!cursor.take(')')) return cursor.expected("')' after the coordinates");

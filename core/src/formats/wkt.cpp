@@ -55,11 +55,11 @@ std::optional<InputError> take_keywords(TextCursor& cursor, bool& of_several) {
 std::optional<InputError> take_position(TextCursor& cursor, Vec2& point, std::size_t* beyond) {
   constexpr std::size_t most_coordinates = 4;
   cursor.skip_white_space();
-  if (auto error = cursor.take_number(point.x(), "a number")) return error;
+  if (auto error = cursor.take_number(point.x, "a number")) return error;
   const std::size_t end_of_first = cursor.offset();
   cursor.skip_white_space();
   if (cursor.offset() == end_of_first) return cursor.expected("a space between the coordinates");
-  if (auto error = cursor.take_number(point.y(), "a number")) return error;
+  if (auto error = cursor.take_number(point.y, "a number")) return error;
   for (std::size_t count = 2;; ++count) {
     const std::size_t end_of_last = cursor.offset();
     cursor.skip_white_space();

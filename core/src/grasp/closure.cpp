@@ -50,7 +50,7 @@ double farthest_centre(const Grasp& grasp, bool translation_free) {
 constexpr int axes = 4;
 HalfPlane within_reach(int axis, double reach) {
   const Vec2 directions[axes] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-  return {Vec2::Zero(), directions[axis], reach};
+  return {Vec2{}, directions[axis], reach};
 }
 
 // The half-planes are widened by `offset`.
@@ -133,9 +133,9 @@ Points degenerate_region(const Grasp& grasp, Sense sense, double reach) {
   }
   const Points corners = sharpest_region(grasp, sense);
   if (corners.empty()) return {};
-  Vec2 point = Vec2::Zero();
+  Vec2 point;
   for (const Vec2& corner : corners) point += corner / static_cast<double>(corners.size());
-  if (point.cwiseAbs().maxCoeff() > reach) return {};
+  if (max_norm(point) > reach) return {};
   return {point};
 }
 
@@ -180,7 +180,7 @@ bool resists_at(const Grasp& grasp, const Vec2& c) {
     const double size = length(touch.direction());
     if (std::fabs(dot(touch.direction(), to_c)) > grasp.near * size) continue;
     const double distance = cross(touch.direction(), to_c) / size;
-    const Vec2 from(-touch.from.y(), touch.from.x()), to(-touch.to.y(), touch.to.x());
+    const Vec2 from(-touch.from.y, touch.from.x), to(-touch.to.y, touch.to.x);
     planes.push_back({from, to, (grasp.near - distance) * size});
   }
   return !have_common_point(planes);

@@ -39,7 +39,7 @@ class NearestVertex {
       : polygon_(polygon), point_(point), least_(within) {}
 
   // False only for a place that is too far away. The factor 2 exceeds the rounding of a difference.
-  bool may_be(const Vec2& place) const { return std::fabs(place.x() - point_.x()) <= 2 * least_; }
+  bool may_be(const Vec2& place) const { return std::fabs(place.x - point_.x) <= 2 * least_; }
 
   void add(std::uint32_t vertex) {
     const double distance = length(polygon_.vertex(vertex) - point_);
@@ -120,7 +120,7 @@ ContactFinder::ContactFinder(const Polygon& polygon)
 
 ContactFinder::Cell ContactFinder::cell_of(const Vec2& p) const {
   const double side = 4 * near_;
-  return {std::floor(p.x() / side), std::floor(p.y() / side)};
+  return {std::floor(p.x / side), std::floor(p.y / side)};
 }
 
 template <class Take>
@@ -156,7 +156,7 @@ Vec2 inward_normal(const Polygon& polygon, std::uint32_t edge) {
 Vec2 inward_normal(const Vec2& from, const Vec2& to, bool counter_clockwise) {
   Vec2 along = to - from;
   // The squared length of a shorter edge would underflow.
-  if (along.cwiseAbs().maxCoeff() < 0x1p-400) along *= 0x1p600;
+  if (max_norm(along) < 0x1p-400) along *= 0x1p600;
   const Vec2 left = left_normal(along) / length(along);
   return counter_clockwise ? left : Vec2(-left);
 }

@@ -15,8 +15,8 @@ using Touch = Grasp::Touch;
 
 // Whether a touch's edge has a direction in [0, 180) degrees. Comparing coordinates is exact.
 bool points_up(const Touch& touch) {
-  return touch.to.y() > touch.from.y() ||
-         (touch.to.y() == touch.from.y() && touch.to.x() > touch.from.x());
+  return touch.to.y > touch.from.y ||
+         (touch.to.y == touch.from.y && touch.to.x > touch.from.x);
 }
 
 double turn_of(const Touch& a, const Touch& b) {
@@ -103,13 +103,13 @@ std::vector<Wrench> wrenches(const Grasp& grasp) {
   std::vector<Wrench> all;
   for (const Grasp::Touch& touch : grasp.touches) {
     const Vec2 n = touch.inward();
-    all.emplace_back(n.x(), n.y(), cross(touch.position - grasp.centre, n) / grasp.radius);
+    all.emplace_back(n.x, n.y, cross(touch.position - grasp.centre, n) / grasp.radius);
   }
   std::vector<Wrench> ordered;
   for (const std::uint32_t i : sorted_indices(all.size(), [&](std::uint32_t a, std::uint32_t b) {
          if (grasp.touches[a].edge != grasp.touches[b].edge)
            return grasp.touches[a].edge < grasp.touches[b].edge;
-         return all[a].z() < all[b].z();
+         return all[a].z < all[b].z;
        }))
     ordered.push_back(all[i]);
   return ordered;

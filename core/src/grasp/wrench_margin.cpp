@@ -1,6 +1,5 @@
 #include "grasp/wrench_margin.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
@@ -23,15 +22,15 @@ using Triangle = std::array<Index, 3>;
 // The exact sign of (b - a) x (c - a) . (d - a): the orientation of a tetrahedron.
 int orient3(const Wrench& a, const Wrench& b, const Wrench& c, const Wrench& d) {
   const Wrench p = b - a, q = c - a, r = d - a;
-  const double value = p.dot(q.cross(r));
-  const double permanent = p.cwiseAbs().sum() * q.cwiseAbs().sum() * r.cwiseAbs().sum();
+  const double value = dot(p, cross(q, r));
+  const double permanent = one_norm(p) * one_norm(q) * one_norm(r);
   constexpr double filter_threshold = 0x1p-48;  // as in predicates.cpp
   if (std::fabs(value) > filter_threshold * permanent) return value > 0 ? 1 : -1;
   if (d == a || d == b || d == c) return 0;  // most of the others: hull_facets() asks about corners
   using Row = std::array<Dyadic, 3>;
   const auto difference = [&](const Wrench& v) {
-    return Row{Dyadic(v.x()) - Dyadic(a.x()), Dyadic(v.y()) - Dyadic(a.y()),
-               Dyadic(v.z()) - Dyadic(a.z())};
+    return Row{Dyadic(v.x) - Dyadic(a.x), Dyadic(v.y) - Dyadic(a.y),
+               Dyadic(v.z) - Dyadic(a.z)};
   };
   const Row x = difference(b), y = difference(c), z = difference(d);
   return (x[0] * (y[1] * z[2] - y[2] * z[1]) + x[1] * (y[2] * z[0] - y[0] * z[2]) +
@@ -41,7 +40,7 @@ int orient3(const Wrench& a, const Wrench& b, const Wrench& c, const Wrench& d) 
 
 bool collinear(const Wrench& a, const Wrench& b, const Wrench& c) {
   // Points are on one line if their projections onto the coordinate planes are.
-  const auto flat = [&](int i, int j) {
+  const auto flat = [&](std::size_t i, std::size_t j) {
     const auto d = [](double u, double v) { return Dyadic(u) - Dyadic(v); };
     return (d(b[i], a[i]) * d(c[j], a[j]) - d(b[j], a[j]) * d(c[i], a[i])).sign() == 0;
   };
@@ -95,19 +94,19 @@ std::vector<Triangle> hull_facets(const std::vector<Wrench>& w) {
 // could cut through the hull.
 double distance_of_plane(const Wrench& a, const Wrench& b, const Wrench& c) {
   const Wrench p = b - a, q = c - a;
-  const Wrench normal = p.cross(q);
+  const Wrench normal = cross(p, q);
   constexpr double not_a_sliver = 1e-6;  // the squared sine of the angle at a
-  if (normal.squaredNorm() > not_a_sliver * p.squaredNorm() * q.squaredNorm())
-    return normal.dot(a) / normal.norm();
+  if (squared_length(normal) > not_a_sliver * squared_length(p) * squared_length(q))
+    return dot(normal, a) / length(normal);
 
-  const auto difference = [&](const Wrench& v, int i) { return Dyadic(v[i]) - Dyadic(a[i]); };
-  const auto component = [&](int i, int j) {
+  const auto difference = [&](const Wrench& v, std::size_t i) { return Dyadic(v[i]) - Dyadic(a[i]); };
+  const auto component = [&](std::size_t i, std::size_t j) {
     return difference(b, i) * difference(c, j) - difference(b, j) * difference(c, i);
   };
   const std::array<Dyadic, 3> exact{component(1, 2), component(2, 0), component(0, 1)};
   const Dyadic height = exact[0] * Dyadic(a[0]) + exact[1] * Dyadic(a[1]) + exact[2] * Dyadic(a[2]);
   return height.to_double() /
-         Wrench(exact[0].to_double(), exact[1].to_double(), exact[2].to_double()).norm();
+         length(Wrench(exact[0].to_double(), exact[1].to_double(), exact[2].to_double()));
 }
 
 // P. Wolfe's algorithm (Finding the nearest point in a polytope, 1976). It also works for points in
@@ -131,14 +130,14 @@ class NearestPoint {
   bool major_cycle() {
     constexpr double optimality_gap = 1e-15;
     const Index added = farthest_towards_origin();
-    const double gap = nearest_.squaredNorm() - points_[added].dot(nearest_);
-    if (gap <= optimality_gap * std::max(1.0, nearest_.squaredNorm())) return false;
+    const double gap = squared_length(nearest_) - dot(points_[added], nearest_);
+    if (gap <= optimality_gap * std::max(1.0, squared_length(nearest_))) return false;
     if (std::find(corral_.begin(), corral_.end(), added) != corral_.end()) return false;
     corral_.push_back(added);
     weights_.push_back(0);
     while (!corral_.empty() && minor_cycle()) {
     }
-    nearest_.setZero();
+    nearest_ = {};
     for (std::size_t k = 0; k < corral_.size(); ++k) nearest_ += weights_[k] * points_[corral_[k]];
     return true;
   }
@@ -178,7 +177,7 @@ class NearestPoint {
   Index farthest_towards_origin() const {
     Index best = 0;
     for (Index i = 1; i < points_.size(); ++i) {
-      if (points_[i].dot(nearest_) < points_[best].dot(nearest_)) best = i;
+      if (dot(points_[i], nearest_) < dot(points_[best], nearest_)) best = i;
     }
     return best;
   }
@@ -193,7 +192,7 @@ class NearestPoint {
     Eigen::MatrixXd system = Eigen::MatrixXd::Ones(n + 1, n + 1);
     system(0, 0) = 0;
     for (Eigen::Index i = 0; i < n; ++i) {
-      for (Eigen::Index j = 0; j < n; ++j) system(i + 1, j + 1) = point(i).dot(point(j));
+      for (Eigen::Index j = 0; j < n; ++j) system(i + 1, j + 1) = dot(point(i), point(j));
     }
     Eigen::VectorXd right = Eigen::VectorXd::Zero(n + 1);
     right(0) = 1;
@@ -212,21 +211,21 @@ class NearestPoint {
   std::vector<double> weights_{1};
 };
 
-// The vector at unit length, or UnitX if it is too short to have a direction.
+// The vector at unit length, or that of the x axis if it is too short to have a direction.
 Wrench direction_of(const Wrench& vector) {
-  const double length = vector.norm();
-  return length > tau ? Wrench(vector / length) : Wrench(Wrench::UnitX());
+  const double size = length(vector);
+  return size > tau ? vector / size : Wrench(1, 0, 0);
 }
 
 Wrench normal_of(const std::vector<Wrench>& w, const Triangle& facet) {
   const Wrench p = w[facet[1]] - w[facet[0]], q = w[facet[2]] - w[facet[0]];
-  return p.cross(q);
+  return cross(p, q);
 }
 
 Index farthest_along(const std::vector<Wrench>& wrenches, const Wrench& direction) {
   Index best = 0;
   for (Index i = 1; i < wrenches.size(); ++i)
-    if (wrenches[i].dot(direction) > wrenches[best].dot(direction)) best = i;
+    if (dot(wrenches[i], direction) > dot(wrenches[best], direction)) best = i;
   return best;
 }
 
@@ -250,7 +249,7 @@ WeakestDirection weakest_of_few(const std::vector<Wrench>& wrenches) {
   constexpr double beside = 1e-7;
   NearestPoint search(wrenches);
   const Wrench& nearest = search.find();
-  const double distance = nearest.norm();
+  const double distance = length(nearest);
   // Far from the origin the nearest point gives the direction, otherwise the facet.
   const Wrench direction = distance > beside || facets.empty()
                                ? direction_of(-nearest)
@@ -260,11 +259,11 @@ WeakestDirection weakest_of_few(const std::vector<Wrench>& wrenches) {
 
 // The normal of the plane through the origin and the two wrenches that span it best.
 Wrench normal_through_origin(const std::vector<Wrench>& wrenches) {
-  Wrench best = Wrench::Zero();
+  Wrench best;
   for (std::size_t i = 0; i < wrenches.size(); ++i)
     for (std::size_t j = i + 1; j < wrenches.size(); ++j) {
-      const Wrench normal = wrenches[i].cross(wrenches[j]);
-      if (normal.squaredNorm() > best.squaredNorm()) best = normal;
+      const Wrench normal = cross(wrenches[i], wrenches[j]);
+      if (squared_length(normal) > squared_length(best)) best = normal;
     }
   return direction_of(best);
 }
@@ -275,8 +274,10 @@ Wrench normal_through_origin(const std::vector<Wrench>& wrenches) {
 class FewOfMany {
  public:
   explicit FewOfMany(const std::vector<Wrench>& all) : all_(all) {
-    for (const int axis : {0, 1, 2})
-      for (const int sign : {-1, 1}) activate(sign * Wrench::Unit(axis));
+    for (const Wrench& axis : {Wrench(1, 0, 0), Wrench(0, 1, 0), Wrench(0, 0, 1)}) {
+      activate(-axis);
+      activate(axis);
+    }
   }
 
   WeakestDirection weakest() {
@@ -298,7 +299,7 @@ class FewOfMany {
   static constexpr double same_reach = 1e-13;
 
   double reach(const Wrench& direction) const {
-    return all_[farthest_along(all_, direction)].dot(direction);
+    return dot(all_[farthest_along(all_, direction)], direction);
   }
 
   // Activates the wrench that reaches farthest. False if it already was active.

@@ -3,12 +3,13 @@
 // forces.
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
+
+#include "evenlift/vec.h"
 
 namespace evenlift {
 
-using Wrench = Eigen::Vector3d;  // force x, force y, torque
+using Wrench = Vec3;  // force x, force y, torque
 
 // The minimum over all unit vectors u of the maximum of u . w over the wrenches w. This is the
 // radius of the largest ball about the origin in their convex hull; if the origin is outside, it is
@@ -22,7 +23,7 @@ double wrench_margin(const std::vector<Wrench>& wrenches);
 // is close if the set is similar to the given one.
 struct WeakestDirection {
   double margin = 0;
-  Wrench direction = Wrench::UnitX();
+  Wrench direction{1, 0, 0};
 };
 WeakestDirection weakest_direction(const std::vector<Wrench>& wrenches);
 

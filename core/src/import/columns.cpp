@@ -431,11 +431,11 @@ std::optional<InputError> ColumnReader::read_lines() {
 bool runs_along_chord(const Points& points, bool forwards) {
   constexpr std::size_t fewest = 5;  // two triangles may also share an edge of length 1
   const auto along = [&](const Vec2& a, const Vec2& b) {
-    return forwards ? a.x() <= b.x() : a.x() >= b.x();
+    return forwards ? a.x <= b.x : a.x >= b.x;
   };
   const Vec2 &nose = forwards ? points.front() : points.back(),
              &tail = forwards ? points.back() : points.front();
-  return points.size() >= fewest && nose.x() == 0 && tail.x() == 1 &&
+  return points.size() >= fewest && nose.x == 0 && tail.x == 1 &&
          std::is_sorted(points.begin(), points.end(),
                         [&](const Vec2& a, const Vec2& b) { return !along(b, a); });
 }

@@ -65,7 +65,7 @@ constexpr DxfName other_file{"block (INSERT) from another file",
 // Coordinates that overflowed, to infinity or NaN, are out of bounds.
 bool within_bounds(const Outline& outline) {
   const auto small = [](const Vec2& p) {
-    return std::abs(p.x()) <= max_coordinate && std::abs(p.y()) <= max_coordinate;
+    return std::abs(p.x) <= max_coordinate && std::abs(p.y) <= max_coordinate;
   };
   const auto all_small = [&](const CurvePiece& piece) {
     return small(piece.end) && small(piece.first) && small(piece.second);

@@ -29,21 +29,21 @@ double default_tolerance(double side) {
 
 bool within_bounds(const Box& box) {
   const auto small = [](double x) { return std::abs(x) <= max_coordinate; };
-  return small(box.low.x()) && small(box.low.y()) && small(box.high.x()) && small(box.high.y());
+  return small(box.low.x) && small(box.low.y) && small(box.high.x) && small(box.high.y);
 }
 
 // Minima and maxima ignore NaN, so bounds do not reveal it.
 bool all_finite(const Outline& outline) {
   const auto finite = [](const CurvePiece& p) {
-    return p.end.allFinite() && p.first.allFinite() && p.second.allFinite();
+    return is_finite(p.end) && is_finite(p.first) && is_finite(p.second);
   };
-  return outline.start.allFinite() &&
+  return is_finite(outline.start) &&
          std::all_of(outline.pieces.begin(), outline.pieces.end(), finite);
 }
 
 }  // namespace
 
-double larger_side(const Box& box) { return std::max(box.size().x(), box.size().y()); }
+double larger_side(const Box& box) { return std::max(box.size().x, box.size().y); }
 
 std::string short_number(double value) {
   const Decimal decimal = shortest_decimal(value);
@@ -217,7 +217,7 @@ void Gathering::add(const DrawnShape& drawn) {
 namespace {
 
 std::string point_in_words(const Vec2& p) {
-  return "(" + short_number(p.x()) + ", " + short_number(p.y()) + ")";
+  return "(" + short_number(p.x) + ", " + short_number(p.y) + ")";
 }
 
 }  // namespace
@@ -313,7 +313,7 @@ void Gathering::nest_outlines() {
                                 : "{count} outlines inside others were read as holes",
              {nesting.holes}));
   import.doubtful =
-      left_open_ > 1.01 * bounding_box(import.shapes.front().document.vertices).size().prod();
+      left_open_ > 1.01 * bounding_box(import.shapes.front().document.vertices).area();
 }
 
 void Gathering::add(Document document, std::string_view name, std::string_view kind) {

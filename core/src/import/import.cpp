@@ -73,9 +73,9 @@ std::string degrees_in_words(double degrees, const char* positive, const char* n
 
 std::string projection_note(const Projection& projection) {
   constexpr double unseen_error = 0.001;
-  const std::string longitude = degrees_in_words(projection.origin().x(), "{degrees}\u00B0 E",
+  const std::string longitude = degrees_in_words(projection.origin().x, "{degrees}\u00B0 E",
                                                  "{degrees}\u00B0 W"),
-                    latitude = degrees_in_words(projection.origin().y(), "{degrees}\u00B0 N",
+                    latitude = degrees_in_words(projection.origin().y, "{degrees}\u00B0 N",
                                                 "{degrees}\u00B0 S");
   if (projection.error() < unseen_error)
     return say(
@@ -157,7 +157,7 @@ std::string describe(const ImportedShape& shape) {
   text += std::string(translated(shape.kind)) + ", " +
           counted(shape.document.vertices.size(), "vertex", "vertices") + ", ";
   if (holes > 0) text += counted(holes, "hole", "holes") + ", ";
-  text += short_number(size.x()) + " x " + short_number(size.y());
+  text += short_number(size.x) + " x " + short_number(size.y);
   return text;
 }
 

@@ -15,12 +15,12 @@ constexpr double low_latitude = 5;
 
 // Numbers beyond these are not degrees, whatever the text says.
 bool can_be_degrees(const Box& box) {
-  return box.low.x() >= -360 && box.high.x() <= 360 && box.low.y() >= -90 && box.high.y() <= 90;
+  return box.low.x >= -360 && box.high.x <= 360 && box.low.y >= -90 && box.high.y <= 90;
 }
 
 // Names the factor at the middle latitude.
 std::string degrees_note(std::string_view note, const Box& box) {
-  const double latitude = (box.low.y() + box.high.y()) / 2;
+  const double latitude = (box.low.y + box.high.y) / 2;
   const double shrinking = cosine(latitude * pi / 180);
   if (std::abs(latitude) > low_latitude && shrinking > 1e-3)
     return say("{note}: at latitude {latitude} widths come out {factor} times too large",

@@ -22,7 +22,7 @@ InputError task_error(std::string message) {
 // the seed.
 Vec2 drawn_centre(const Points& supports, std::uint64_t number) {
   Rng rng(number);
-  Vec2 sum = Vec2::Zero();
+  Vec2 sum;
   double total = 0;
   for (const Vec2& support : supports) {
     const double share = 0.1 + 0.9 * rng.uniform();

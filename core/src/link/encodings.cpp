@@ -13,7 +13,7 @@ namespace {
 // Trailing bits that are 0 in every coordinate.
 int common_zero_bits(const Points& vertices) {
   std::uint64_t any = std::uint64_t{1} << 52;
-  for (const Vec2& vertex : vertices) any |= to_bits(vertex.x()) | to_bits(vertex.y());
+  for (const Vec2& vertex : vertices) any |= to_bits(vertex.x) | to_bits(vertex.y);
   int zeros = 0;
   while ((any >> zeros & 1) == 0) ++zeros;
   return zeros;
@@ -24,7 +24,7 @@ std::vector<Scale> likely_scales(const Points& vertices) {
   std::array<std::size_t, Scale::doubles + 1> with_decimals{};
   double greatest = 1;
   for (const Vec2& vertex : vertices) {
-    for (const double value : {vertex.x(), vertex.y()}) {
+    for (const double value : {vertex.x, vertex.y}) {
       ++with_decimals[static_cast<std::size_t>(decimals_of(value))];
       greatest = std::max(greatest, std::fabs(value));
     }

@@ -18,10 +18,10 @@ namespace {
 // --- The permitted content of a link
 
 std::optional<InputError> check_point(const Vec2& point, const Place& place) {
-  if (!std::isfinite(point.x()) || !std::isfinite(point.y())) {
+  if (!std::isfinite(point.x) || !std::isfinite(point.y)) {
     return InputError{ErrorCode::bad_coordinate, "a coordinate is not a finite number", place};
   }
-  if (std::fabs(point.x()) > max_coordinate || std::fabs(point.y()) > max_coordinate) {
+  if (std::fabs(point.x) > max_coordinate || std::fabs(point.y) > max_coordinate) {
     return InputError{ErrorCode::bad_coordinate, "a coordinate exceeds 1e9 in size", place};
   }
   return std::nullopt;

@@ -48,7 +48,7 @@ Vec2 code_centre(Coder& coder, Vec2 centre, const Scale& scale,
   bool in_box = !box.empty();
   if constexpr (!Coder::decoding) {
     for (std::size_t axis = 0; axis < 2 && in_box; ++axis) {
-      const auto number = scale.number_of(centre[static_cast<Eigen::Index>(axis)]);
+      const auto number = scale.number_of(centre[axis]);
       in_box = number && box.holds(axis, *number);
       numbers[axis] = number.value_or(0);
     }
@@ -56,7 +56,7 @@ Vec2 code_centre(Coder& coder, Vec2 centre, const Scale& scale,
   BitModel model{{3, 1}};
   in_box = !box.empty() && !coder.code_bit(!in_box, model);
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    double& value = centre[static_cast<Eigen::Index>(axis)];
+    double& value = centre[axis];
     if (in_box) {
       const std::uint64_t offset =
           code_up_to(coder, box.offset(axis, numbers[axis]), box.offset(axis, box.high[axis]));
@@ -94,7 +94,7 @@ Encoding code_content(Coder& coder, Content& content, Encoding encoding) {
   std::optional<Vec2>& centre = content.centre_of_mass;
   const bool has_centre = coder.code_uniform(centre ? 1 : 0, 2) != 0;
   if (has_centre && !coder.failed()) {
-    centre = code_centre(coder, centre.value_or(Vec2::Zero()), encoding.scale, content.quantized);
+    centre = code_centre(coder, centre.value_or(Vec2{}), encoding.scale, content.quantized);
   }
   if (content.version == LinkVersion::two) code_records(coder, content.records, content.lists);
   return encoding;
@@ -108,13 +108,13 @@ Digits encode_in(const Encoding& encoding, Content& content) {
 
 bool is_finite(const Document& document) {
   for (const Vec2& vertex : document.vertices)
-    if (!vertex.allFinite()) return false;
-  if (document.centre_of_mass && !document.centre_of_mass->allFinite()) return false;
+    if (!is_finite(vertex)) return false;
+  if (document.centre_of_mass && !is_finite(*document.centre_of_mass)) return false;
   for (const Vec2& support : document.settings.supports)
-    if (!support.allFinite()) return false;
+    if (!is_finite(support)) return false;
   for (const Points& hole : document.holes)
     for (const Vec2& vertex : hole)
-      if (!vertex.allFinite()) return false;
+      if (!is_finite(vertex)) return false;
   return std::isfinite(document.settings.weight) && std::isfinite(document.settings.min_ratio);
 }
 

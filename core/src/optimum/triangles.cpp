@@ -11,7 +11,7 @@ namespace {
 // The area of a ring in the triangle a, b, C (the origin).
 double area_within(const Points& ring, const Vec2& a, const Vec2& b) {
   if (!(cross(a, b) > 0)) return 0;
-  return std::fabs(area_left_of_both(clip_left(ring, a, b), b, Vec2::Zero(), a));
+  return std::fabs(area_left_of_both(clip_left(ring, a, b), b, Vec2{}, a));
 }
 
 }  // namespace

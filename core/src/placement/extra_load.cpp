@@ -22,7 +22,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Linear {
   double constant = 0;
-  Vec2 slope = Vec2::Zero();
+  Vec2 slope;
   double operator()(const Vec2& q) const { return constant + dot(slope, q); }
 };
 
@@ -68,7 +68,7 @@ class Lift {
   Points box() const {
     const Box box = bounding_box(of_.placement.vertices());
     return seen(
-        {box.low, Vec2(box.high.x(), box.low.y()), box.high, Vec2(box.low.x(), box.high.y())});
+        {box.low, Vec2(box.high.x, box.low.y), box.high, Vec2(box.low.x, box.high.y)});
   }
 
  private:
@@ -93,12 +93,12 @@ class Lift {
 std::optional<std::vector<Bearing>> Lift::bearings() const {
   const Points places = seen(robots_);
   const StandardFrame frame = standard_frame(places);
-  if (frame.axis[1] == Vec2::Zero()) return std::nullopt;
+  if (frame.axis[1] == Vec2{}) return std::nullopt;
   const double weight = of_.placement.weight(), m = static_cast<double>(robots_.size());
   std::vector<Bearing> all;
   for (const Vec2& place : places) {
     const Vec2 at = frame(place);
-    const Vec2 slope = at.x() * frame.axis[0] + at.y() * frame.axis[1];
+    const Vec2 slope = at.x * frame.axis[0] + at.y * frame.axis[1];
     all.push_back({{(1 - dot(slope, frame.mean)) / m, slope / m}});
   }
   const std::vector<double> by = changes(all);

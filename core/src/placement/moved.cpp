@@ -52,7 +52,7 @@ LiftingPoint lifting_point(const Placement& placement, const EdgePoint& contact)
 
 std::optional<InputError> check_balanced(const Placement& placement,
                                          const std::vector<LiftingPoint>& robots) {
-  Vec2 sum = Vec2::Zero();
+  Vec2 sum;
   for (const LiftingPoint& robot : robots) sum += robot.position - placement.centre_of_mass;
   if (length(sum) >
       near_distance(placement.polygon().diameter()) * static_cast<double>(robots.size()))
@@ -87,7 +87,7 @@ std::optional<InputError> move_balanced(Placement& placement,
 struct Turned {
   std::uint32_t a = 0, b = 0;
   Chord chord;
-  Vec2 on_a = Vec2::Zero(), on_b = Vec2::Zero();
+  Vec2 on_a, on_b;
 };
 
 double closeness(const Vec2& direction, const Vec2& wanted) {

@@ -75,7 +75,7 @@ std::vector<LoadRange> single(const std::vector<double>& loads) {
 
 // In (-180, 180]: rounding may turn an angle just above -180 into -180.
 double degrees_of(const Vec2& direction) {
-  const double degrees = arctangent2(direction.y() + 0.0, direction.x()) * (180 / pi);
+  const double degrees = arctangent2(direction.y + 0.0, direction.x) * (180 / pi);
   return degrees > -180 ? degrees : 180;
 }
 

@@ -15,10 +15,10 @@ InputError at_centre(ErrorCode code, std::string message) {
 }
 
 std::optional<InputError> check_coordinates(const Vec2& centre) {
-  if (!centre.allFinite())
+  if (!is_finite(centre))
     return at_centre(ErrorCode::bad_coordinate,
                      "a coordinate of the centre of mass is not a finite number");
-  if (centre.cwiseAbs().maxCoeff() > max_coordinate)
+  if (max_norm(centre) > max_coordinate)
     return at_centre(ErrorCode::bad_coordinate,
                      "a coordinate of the centre of mass exceeds 1e9 in size");
   if (is_too_near_to_0(centre))
@@ -29,7 +29,7 @@ std::optional<InputError> check_coordinates(const Vec2& centre) {
 
 // Far cargo may make numbers overflow; then the point is outside.
 bool is_strictly_in_hull(const Polygon& polygon, const Vec2& point) {
-  if (!point.allFinite()) return false;
+  if (!is_finite(point)) return false;
   const Points& hull = polygon.hull();
   for (std::size_t i = 0; i < hull.size(); ++i)
     if (!(orient(hull[i], hull[(i + 1) % hull.size()], point) > 0)) return false;
@@ -70,7 +70,7 @@ Result<CentreOfMass> centre_of_mass(const PolygonWithHoles& object,
 Loaded with_cargo(const Vec2& own, const Settings& settings, std::size_t items) {
   if (items == 0) return {settings.weight, own};
   double weight = settings.weight;
-  Vec2 moments = Vec2::Zero();  // about C0
+  Vec2 moments;  // about C0
   for (std::size_t i = 0; i < items; ++i) {
     const Cargo& item = settings.cargo[i];
     weight += item.weight;

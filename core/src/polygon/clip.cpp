@@ -43,7 +43,7 @@ class HalfPlaneClipper {
 
  private:
   Vec2 a_, line_;
-  Vec2 from_ = Vec2::Zero();
+  Vec2 from_;
   double from_side_ = 0;
 };
 
@@ -63,7 +63,7 @@ class RunningArea {
 
  private:
   std::size_t number_ = 0;
-  Vec2 first_ = Vec2::Zero(), arm_ = Vec2::Zero();
+  Vec2 first_, arm_;
   double doubled_area_ = 0;
 };
 

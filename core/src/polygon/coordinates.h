@@ -15,7 +15,7 @@ inline bool is_too_near_to_0(double coordinate) {
   return coordinate != 0 && std::fabs(coordinate) < min_coordinate;
 }
 inline bool is_too_near_to_0(const Vec2& v) {
-  return is_too_near_to_0(v.x()) || is_too_near_to_0(v.y());
+  return is_too_near_to_0(v.x) || is_too_near_to_0(v.y);
 }
 
 }  // namespace evenlift

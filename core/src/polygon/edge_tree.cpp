@@ -10,8 +10,8 @@ Box box_of(const std::vector<LineEnds>& lines, std::uint32_t begin, std::uint32_
   Box box{lines[begin].start, lines[begin].start};
   for (std::uint32_t line = begin; line < end; ++line) {
     for (const Vec2& p : {lines[line].start, lines[line].end}) {
-      box.low = box.low.cwiseMin(p);
-      box.high = box.high.cwiseMax(p);
+      box.low = componentwise_min(box.low, p);
+      box.high = componentwise_max(box.high, p);
     }
   }
   return box;
@@ -45,7 +45,7 @@ std::uint32_t EdgeTree::build(const std::vector<LineEnds>& lines, std::uint32_t 
   const std::uint32_t middle = begin + (end - begin) / 2;
   const std::uint32_t left = build(lines, begin, middle), right = build(lines, middle, end);
   const Box &a = nodes_[left].box, &b = nodes_[right].box;
-  nodes_[node] = {{a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}, begin, end, left, right};
+  nodes_[node] = {{componentwise_min(a.low, b.low), componentwise_max(a.high, b.high)}, begin, end, left, right};
   return node;
 }
 

@@ -10,7 +10,7 @@ namespace evenlift {
 
 // The ends of an edge or of any other segment.
 struct LineEnds {
-  Vec2 start = Vec2::Zero(), end = Vec2::Zero();
+  Vec2 start, end;
 };
 
 class EdgeTree {

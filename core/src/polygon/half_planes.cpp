@@ -22,12 +22,12 @@ bool normals_are_same(const HalfPlane& a, const HalfPlane& b) {
 
 // Whether the normal's direction is in [0, 180) degrees. Exact, since it compares coordinates.
 bool points_up(const HalfPlane& a) {
-  return a.to.y() > a.from.y() || (a.to.y() == a.from.y() && a.to.x() > a.from.x());
+  return a.to.y > a.from.y || (a.to.y == a.from.y && a.to.x > a.from.x);
 }
 
 struct ExactNormal {
   explicit ExactNormal(const HalfPlane& a)
-      : x(Dyadic(a.to.x()) - Dyadic(a.from.x())), y(Dyadic(a.to.y()) - Dyadic(a.from.y())) {}
+      : x(Dyadic(a.to.x) - Dyadic(a.from.x)), y(Dyadic(a.to.y) - Dyadic(a.from.y)) {}
   Dyadic x, y;
 };
 
@@ -62,7 +62,7 @@ Dyadic exact_size(const HalfPlane& a) {
 // The sign of a.bound |b| + sign b.bound |a|, where |a| is the normal's 1-norm.
 int compare_scaled_bounds(const HalfPlane& a, const HalfPlane& b, int sign) {
   const auto rough_size = [](const HalfPlane& c) {
-    return std::fabs(c.to.x() - c.from.x()) + std::fabs(c.to.y() - c.from.y());
+    return std::fabs(c.to.x - c.from.x) + std::fabs(c.to.y - c.from.y);
   };
   const double first = a.bound * rough_size(b), second = sign * (b.bound * rough_size(a));
   const double sum = first + second, size = std::fabs(first) + std::fabs(second);
@@ -178,8 +178,8 @@ Points bounded_intersection(const std::vector<HalfPlane>& planes) {
     const HalfPlane &i = planes[lines[k]], &j = planes[lines[(k + 1) % lines.size()]];
     const Vec2 ni = i.normal(), nj = j.normal();
     const double determinant = normals_cross(i, j);
-    corners.emplace_back((i.bound * nj.y() - j.bound * ni.y()) / determinant,
-                         (j.bound * ni.x() - i.bound * nj.x()) / determinant);
+    corners.emplace_back((i.bound * nj.y - j.bound * ni.y) / determinant,
+                         (j.bound * ni.x - i.bound * nj.x) / determinant);
   }
   return corners;
 }

@@ -30,10 +30,10 @@ void append_chain(Iterator first, Iterator last, Points& hull) {
 std::pair<Vec2, Vec2> extremes(const Points& hull) {
   const auto by_x = std::minmax_element(hull.begin(), hull.end(), lexicographically_before);
   const auto by_y = std::minmax_element(hull.begin(), hull.end(), [](const Vec2& a, const Vec2& b) {
-    return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x();
+    return a.y != b.y ? a.y < b.y : a.x < b.x;
   });
-  const double width = by_x.second->x() - by_x.first->x();
-  const double height = by_y.second->y() - by_y.first->y();
+  const double width = by_x.second->x - by_x.first->x;
+  const double height = by_y.second->y - by_y.first->y;
   if (width >= height) return {*by_x.first, *by_x.second};
   std::pair<Vec2, Vec2> ends{*by_y.first, *by_y.second};
   if (lexicographically_before(ends.second, ends.first)) std::swap(ends.first, ends.second);

@@ -22,7 +22,7 @@ Sums double_double_sums(const Points& vertices, const Vec2& corner) {
   constexpr double least_size = 0x1p-960;
   Sums sums;
   const auto relative = [&](const Vec2& v) {
-    return std::pair(two_difference(v.x(), corner.x()), two_difference(v.y(), corner.y()));
+    return std::pair(two_difference(v.x, corner.x), two_difference(v.y, corner.y));
   };
   auto [px, py] = relative(vertices.back());
   for (const Vec2& vertex : vertices) {
@@ -52,7 +52,7 @@ ExactSums exact_sums(const Points& vertices) {
   ExactSums sums;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Vec2 &p = vertices[i], &q = vertices[i + 1 == vertices.size() ? 0 : i + 1];
-    const Dyadic px(p.x()), py(p.y()), qx(q.x()), qy(q.y());
+    const Dyadic px(p.x), py(p.y), qx(q.x), qy(q.y);
     const Dyadic part = px * qy - qx * py;
     sums.doubled_area = sums.doubled_area + part;
     sums.x = sums.x + (px + qx) * part;
@@ -93,8 +93,8 @@ Moments exact_moments(const Points& vertices) {
 Moments moments(const Points& vertices, const Vec2& corner) {
   const Sums sums = double_double_sums(vertices, corner);
   const DoubleDouble divisor = DoubleDouble(3.0) * sums.doubled_area;
-  const DoubleDouble x = sums.x / divisor + DoubleDouble(corner.x());
-  const DoubleDouble y = sums.y / divisor + DoubleDouble(corner.y());
+  const DoubleDouble x = sums.x / divisor + DoubleDouble(corner.x);
+  const DoubleDouble y = sums.y / divisor + DoubleDouble(corner.y);
 
   // Each operation errs by at most 2^-100 of its operands, and a sum has fewer than 2^22
   // operations.
@@ -102,7 +102,7 @@ Moments moments(const Points& vertices, const Vec2& corner) {
   const double size = std::fabs(divisor.hi);
   const double reach = std::fabs(sums.x.hi / size) + std::fabs(sums.y.hi / size);
   const double error_bound = unit * (sums.size_moments / size + reach * (sums.size_area / size) +
-                                     reach + std::fabs(corner.x()) + std::fabs(corner.y()));
+                                     reach + std::fabs(corner.x) + std::fabs(corner.y));
   const auto is_certain = [](const DoubleDouble& value, double bound) {
     return value.hi + (value.lo - bound) == value.hi && value.hi + (value.lo + bound) == value.hi;
   };

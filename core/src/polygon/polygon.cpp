@@ -30,10 +30,10 @@ std::optional<InputError> check_coordinates(const Points& vertices) {
   }
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Vec2& v = vertices[i];
-    if (!std::isfinite(v.x()) || !std::isfinite(v.y())) {
+    if (!std::isfinite(v.x) || !std::isfinite(v.y)) {
       return at_vertex(ErrorCode::bad_coordinate, "a coordinate is not a finite number", i);
     }
-    if (std::fabs(v.x()) > max_coordinate || std::fabs(v.y()) > max_coordinate) {
+    if (std::fabs(v.x) > max_coordinate || std::fabs(v.y) > max_coordinate) {
       return at_vertex(ErrorCode::bad_coordinate, "a coordinate exceeds 1e9 in size", i);
     }
   }
@@ -64,7 +64,7 @@ bool is_counter_clockwise(const Points& vertices) {
   std::size_t lowest = 0;
   for (std::size_t i = 1; i < vertices.size(); ++i) {
     const Vec2 &v = vertices[i], &best = vertices[lowest];
-    if (v.x() < best.x() || (v.x() == best.x() && v.y() < best.y())) lowest = i;
+    if (v.x < best.x || (v.x == best.x && v.y < best.y)) lowest = i;
   }
   const std::size_t n = vertices.size();
   return orient(vertices[(lowest + n - 1) % n], vertices[lowest], vertices[(lowest + 1) % n]) > 0;
@@ -136,7 +136,7 @@ double Polygon::turn_side(std::size_t i) const {
 
 double farthest_vertex(const Polygon& polygon, const Vec2& centre) {
   double squared = 0;
-  for (const Vec2& v : polygon.vertices()) squared = std::max(squared, (v - centre).squaredNorm());
+  for (const Vec2& v : polygon.vertices()) squared = std::max(squared, squared_length(v - centre));
   return std::sqrt(squared);
 }
 

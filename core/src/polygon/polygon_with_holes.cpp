@@ -159,12 +159,12 @@ bool is_inside(const Polygon& polygon, const Vec2& point) {
   bool odd = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 &a = polygon.edge_start(i), &b = polygon.edge_end(i);
-    if (std::max(a.y(), b.y()) < point.y() || std::min(a.y(), b.y()) > point.y()) continue;
+    if (std::max(a.y, b.y) < point.y || std::min(a.y, b.y) > point.y) continue;
     const double side = orient(a, b, point);
-    if (side == 0 && std::min(a.x(), b.x()) <= point.x() && point.x() <= std::max(a.x(), b.x()))
+    if (side == 0 && std::min(a.x, b.x) <= point.x && point.x <= std::max(a.x, b.x))
       return false;  // on the boundary
-    if ((a.y() > point.y()) == (b.y() > point.y())) continue;
-    if (b.y() > a.y() ? side > 0 : side < 0) odd = !odd;
+    if ((a.y > point.y) == (b.y > point.y)) continue;
+    if (b.y > a.y ? side > 0 : side < 0) odd = !odd;
   }
   return odd;
 }

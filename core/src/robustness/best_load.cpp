@@ -17,7 +17,7 @@ constexpr std::size_t most_robots_by_pairs = 64;
 // The sum of max(0, g) over the robots, for g = 1 + b . q, and its gradient in b.
 struct Sum {
   double value = 0;
-  Vec2 slope = Vec2::Zero();
+  Vec2 slope;
 };
 
 Sum sum_at(const Points& robots, const Vec2& b) {
@@ -44,7 +44,7 @@ Points region_of_least_sum(const Points& hull, std::size_t m) {
 }
 
 Vec2 centroid_of(const Points& ring) {
-  Vec2 weighted = Vec2::Zero();
+  Vec2 weighted;
   double area = 0;
   for (std::size_t i = 2; i < ring.size(); ++i) {
     const Vec2 u = ring[i - 1] - ring[0], v = ring[i] - ring[0];
@@ -111,8 +111,8 @@ double best_share_by_cuts(const Points& robots, const Points& hull) {
 double best_share_on_line(const Points& robots) {
   std::vector<double> along, back;
   for (const Vec2& robot : robots) {
-    along.push_back(robot.x());
-    back.push_back(-robot.x());
+    along.push_back(robot.x);
+    back.push_back(-robot.x);
   }
   const double even = 1 / static_cast<double>(robots.size());
   return std::min(1.0, std::max({even, best_ahead(std::move(along)), best_ahead(std::move(back))}));

@@ -20,13 +20,13 @@ namespace {
 // Of places relative to C.
 struct Linear {
   double at_centre = 0;
-  Vec2 slope = Vec2::Zero();
+  Vec2 slope;
   double operator()(const Vec2& q) const { return at_centre + dot(slope, q); }
 };
 
 // Has this value at the centroid and these slopes along the frame's axes.
 Linear in_frame(const StandardFrame& frame, double at_mean, const Vec2& along_axes) {
-  const Vec2 slope = along_axes.x() * frame.axis[0] + along_axes.y() * frame.axis[1];
+  const Vec2 slope = along_axes.x * frame.axis[0] + along_axes.y * frame.axis[1];
   return {at_mean - dot(slope, frame.mean), slope};
 }
 
@@ -34,7 +34,7 @@ class Springs {
  public:
   explicit Springs(const Points& robots)
       : robots_(robots), m_(static_cast<double>(robots.size())), frame_(standard_frame(robots)) {
-    pressure_ = in_frame(frame_, 1, frame_(Vec2::Zero()));  // if no robot goes slack
+    pressure_ = in_frame(frame_, 1, frame_(Vec2{}));  // if no robot goes slack
     settle();
   }
 
@@ -48,14 +48,14 @@ class Springs {
   // The error in balance of the loads max(0, g), for a weight of 1 in the robots' frame.
   double lack_of_balance() const {
     double sum = 0;
-    Vec2 moment = Vec2::Zero();
+    Vec2 moment;
     for (const Vec2& q : robots_) {
       const double load = std::max(0.0, pressure_(q));
       sum += load;
       moment += load * frame_(q);
     }
-    const Vec2 off = moment / m_ - frame_(Vec2::Zero());
-    return std::max(std::fabs(sum / m_ - 1), off.cwiseAbs().maxCoeff());
+    const Vec2 off = moment / m_ - frame_(Vec2{});
+    return std::max(std::fabs(sum / m_ - 1), max_norm(off));
   }
 
   // The convex function's slope along the step, at `times` times the step.
@@ -71,21 +71,21 @@ class Springs {
   // The step to the function that balances the weight with the loaded robots.
   Linear newton_step(const Points& bearing, const StandardFrame& frame) const {
     double sum = 0;
-    Vec2 moment = Vec2::Zero();
+    Vec2 moment;
     for (const Vec2& q : bearing) {
       sum += pressure_(q);
       moment += pressure_(q) * frame(q);
     }
     const double k = static_cast<double>(bearing.size());
-    return in_frame(frame, (m_ - sum) / k, (m_ * frame(Vec2::Zero()) - moment) / k);
+    return in_frame(frame, (m_ - sum) / k, (m_ * frame(Vec2{}) - moment) / k);
   }
 
   // Loaded robots on one line, or at one place, cannot balance the weight if C is elsewhere. The
   // function then turns about them, rising towards C, until others start to carry.
   static std::optional<Linear> turn(const StandardFrame& frame) {
-    if (frame.axis[1] != Vec2::Zero()) return std::nullopt;
+    if (frame.axis[1] != Vec2{}) return std::nullopt;
     Vec2 beside = -frame.mean;  // from the line or place to C
-    if (frame.axis[0] != Vec2::Zero()) {
+    if (frame.axis[0] != Vec2{}) {
       const Vec2 along = frame.axis[0] / length(frame.axis[0]);
       beside -= dot(beside, along) * along;
     }
@@ -95,7 +95,7 @@ class Springs {
   }
 
   Linear next_step(const Points& bearing) const {
-    if (bearing.empty()) return {1, Vec2::Zero()};
+    if (bearing.empty()) return {1, Vec2{}};
     const StandardFrame frame = standard_frame(bearing);
     return turn(frame).value_or(newton_step(bearing, frame));
   }
@@ -146,7 +146,7 @@ class Changes {
   Changes(const Points& bearing, bool on_a_line)
       : frame_(standard_frame(bearing)),
         parts_(static_cast<double>(bearing.size())),
-        determined_(frame_.axis[on_a_line ? 0 : 1] != Vec2::Zero()) {}
+        determined_(frame_.axis[on_a_line ? 0 : 1] != Vec2{}) {}
 
   // Whether the loaded robots resist every motion of C. If not, others start to carry.
   bool determined() const { return determined_; }
@@ -154,7 +154,7 @@ class Changes {
   // |S^-1 (p - mean)|, where S is the sum of (p - mean) (p - mean)' over the loaded robots.
   double per_length(const Vec2& p) const {
     const Vec2 q = frame_(p);
-    return length(q.x() * frame_.axis[0] + q.y() * frame_.axis[1]) / parts_;
+    return length(q.x * frame_.axis[0] + q.y * frame_.axis[1]) / parts_;
   }
 
  private:

@@ -28,7 +28,7 @@ StandardFrame standard_frame(const Points& points) {
   for (const Vec2& p : points) frame.mean += p;
   frame.mean /= static_cast<double>(points.size());
   Points offsets;
-  Vec2 farthest = Vec2::Zero();
+  Vec2 farthest;
   for (const Vec2& p : points) {
     offsets.push_back(p - frame.mean);
     if (length(offsets.back()) > length(farthest)) farthest = offsets.back();

@@ -10,11 +10,11 @@
 namespace evenlift {
 
 struct StandardFrame {
-  Vec2 mean = Vec2::Zero();
+  Vec2 mean;
   // The coordinates of a point p are axis[k] . (p - mean); each has the mean square 1. The second
   // axis is 0 if the points are on one line within tau, and both are 0 if the points are at one
   // place within tau.
-  Vec2 axis[2] = {Vec2::Zero(), Vec2::Zero()};
+  Vec2 axis[2] = {};
 
   Vec2 operator()(const Vec2& p) const { return {dot(axis[0], p - mean), dot(axis[1], p - mean)}; }
 };

@@ -14,7 +14,7 @@ namespace {
 
 // A line, with all robots on its part from 0 to `reach`.
 struct Stand {
-  Vec2 from = Vec2::Zero(), along = Vec2::Zero();  // `along` has length 1
+  Vec2 from, along;  // `along` has length 1
   double reach = 0;
 };
 

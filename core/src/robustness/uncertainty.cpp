@@ -27,7 +27,7 @@ std::vector<double> sums_of_projection(const Points& robots, const Vec2& centre,
   std::vector<double> sums(robots.size(), 0);
   if (bearing.empty()) return sums;
   const StandardFrame frame = standard_frame(places);
-  const int axes = (frame.axis[0] != Vec2::Zero()) + (frame.axis[1] != Vec2::Zero());
+  const int axes = (frame.axis[0] != Vec2{}) + (frame.axis[1] != Vec2{});
   const std::size_t k = bearing.size();
   if (k <= static_cast<std::size_t>(axes) + 1) return sums;  // a plane fits any heights of these
   for (Vec2& place : places) place = frame(place);

@@ -23,7 +23,7 @@ Vec2 nearest_to_origin(const Points& hull) {
     const Vec2 point = a + part * along;
     if (dot(point, point) < dot(nearest, nearest)) nearest = point;
   }
-  return inside ? Vec2(Vec2::Zero()) : nearest;
+  return inside ? Vec2{} : nearest;
 }
 
 // The greatest share t of a robot at p with C within reach of the origin. The rest of the weight

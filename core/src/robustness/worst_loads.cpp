@@ -12,12 +12,12 @@ namespace {
 std::vector<double> shares_on_line(const Points& at) {
   double least = 0, greatest = 0;
   for (const Vec2& robot : at) {
-    least = std::min(least, robot.x());
-    greatest = std::max(greatest, robot.x());
+    least = std::min(least, robot.x);
+    greatest = std::max(greatest, robot.x);
   }
   std::vector<double> shares;
   for (const Vec2& robot : at) {
-    const double t = robot.x();
+    const double t = robot.x;
     const double other = t > 0 ? -least : greatest;
     shares.push_back(t == 0 ? 1 : other / (std::fabs(t) + other));
   }

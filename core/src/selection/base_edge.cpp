@@ -59,8 +59,8 @@ Surroundings::Surroundings(const PolygonWithHoles& object, const Vec2& centre)
   if (!polygon.counter_clockwise()) std::reverse(boundary.begin(), boundary.end());
   std::sort(vertices.begin(), vertices.end(), [](const Seen& a, const Seen& b) {
     if (a.pseudo_angle != b.pseudo_angle) return a.pseudo_angle < b.pseudo_angle;
-    if (a.position.x() != b.position.x()) return a.position.x() < b.position.x();
-    return a.position.y() < b.position.y();
+    if (a.position.x != b.position.x) return a.position.x < b.position.x;
+    return a.position.y < b.position.y;
   });
 }
 
@@ -99,7 +99,7 @@ bool Wedge::is_convex() const {
 }
 
 void Wedge::collect_outer_vertices() {
-  sums_.push_back(Vec2::Zero());
+  sums_.push_back(Vec2{});
   const auto seen = [](const Surroundings::Seen& item) -> const Surroundings::Seen& {
     return item;
   };

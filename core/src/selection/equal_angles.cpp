@@ -12,7 +12,7 @@ using Edges = std::vector<std::uint32_t>;
 
 double angle_of(const Polygon& polygon, const Vec2& centre, std::uint32_t vertex, bool forward) {
   const Vec2 u = forward ? polygon.vertex(vertex) - centre : centre - polygon.vertex(vertex);
-  return arctangent2(u.y(), u.x());
+  return arctangent2(u.y, u.x);
 }
 
 Vec2 direction(double angle) { return {cosine(angle), sine(angle)}; }

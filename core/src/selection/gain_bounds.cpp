@@ -198,7 +198,7 @@ DistanceBlocks::DistanceBlocks(Points points) : points_(std::move(points)) {
     const SortedIndices order = sorted_indices(
         end - begin, [&](std::uint32_t i, std::uint32_t j) { return level(i) < level(j); });
     for (const std::uint32_t i : order) levels_.push_back(level(i));
-    Vec2 sum = Vec2::Zero();
+    Vec2 sum;
     for (std::size_t k = end; k-- > begin;) sums_[k] = sum += points_[begin + order[k - begin]];
   }
 }

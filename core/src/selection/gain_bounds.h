@@ -27,7 +27,7 @@ class AreaBins {
   static constexpr int levels = 16;
   struct Bin {
     // The level of v is `outward` . v. It is 1 on the segment between the bin's two rim vectors.
-    Vec2 outward = Vec2::Zero();
+    Vec2 outward;
     double unit = 0;              // area between C and level 1
     double base = 0;              // area between C and h1 h2
     double lowest = 0, step = 0;  // levels: `lowest` + j `step`; `step` is 0 in an empty bin

@@ -22,28 +22,28 @@ struct Extent {
 };
 
 double x_at(const Vec2& p, const Vec2& q, double y) {
-  const double part = (y - p.y()) / (q.y() - p.y());
-  return p.x() + std::clamp(part, 0.0, 1.0) * (q.x() - p.x());
+  const double part = (y - p.y) / (q.y - p.y);
+  return p.x + std::clamp(part, 0.0, 1.0) * (q.x - p.x);
 }
 
 // The x of a segment where `low` <= y <= `high`.
 Extent within(const Vec2& p, const Vec2& q, double low, double high) {
   Extent extent;
   for (const Vec2& end : {p, q})
-    if (end.y() >= low && end.y() <= high) extent.add(end.x());
+    if (end.y >= low && end.y <= high) extent.add(end.x);
   for (const double y : {low, high})
-    if ((p.y() < y) != (q.y() < y) && p.y() != q.y()) extent.add(x_at(p, q, y));
+    if ((p.y < y) != (q.y < y) && p.y != q.y) extent.add(x_at(p, q, y));
   return extent;
 }
 
 // Where the segment crosses height y. Upper ends count, lower ones do not.
 Extent crossing(const Vec2& p, const Vec2& q, double y) {
   Extent extent;
-  if ((p.y() < y) != (q.y() < y)) extent.add(x_at(p, q, y));
+  if ((p.y < y) != (q.y < y)) extent.add(x_at(p, q, y));
   return extent;
 }
 
-Vec2 upside_down(const Vec2& v) { return {v.x(), -v.y()}; }
+Vec2 upside_down(const Vec2& v) { return {v.x, -v.y}; }
 
 // Where the hand must be beneath the object, within tau L. Empty if its depth is less than a tenth
 // of its width.
@@ -64,15 +64,15 @@ std::optional<Stretch> lost_to_body(const SeenObstacle& other, const RobotSize& 
   const double radius = robot.radius - near, height = robot.radius + robot.reach;
   if (radius <= 0) return std::nullopt;
   const Vec2 &p = other.p, &q = other.q;
-  if (std::min(p.y(), q.y()) >= height + radius || std::max(p.y(), q.y()) <= height - radius)
+  if (std::min(p.y, q.y) >= height + radius || std::max(p.y, q.y) <= height - radius)
     return std::nullopt;
   Extent extent;
   for (const Vec2& end : {p, q}) {
-    const double rise = height - end.y();
+    const double rise = height - end.y;
     if (std::fabs(rise) >= radius) continue;
     const double half = std::sqrt((radius - rise) * (radius + rise));
-    extent.add(end.x() - half);
-    extent.add(end.x() + half);
+    extent.add(end.x - half);
+    extent.add(end.x + half);
   }
   const Vec2 along = q - p;
   const double size = length(along);
@@ -89,7 +89,7 @@ std::optional<Stretch> lost_to_body(const SeenObstacle& other, const RobotSize& 
 // On the object's side of the line, the other edge does not obstruct the arm.
 std::optional<Stretch> lost_to_arm(const SeenObstacle& other, const RobotSize& robot) {
   const Vec2 &p = other.p, &q = other.q;
-  if (robot.reach <= 0 || std::max(p.y(), q.y()) <= 0) return std::nullopt;
+  if (robot.reach <= 0 || std::max(p.y, q.y) <= 0) return std::nullopt;
   return within(p, q, 0, robot.radius + robot.reach).stretch();
 }
 

@@ -11,7 +11,7 @@ namespace {
 using Robots = std::vector<LiftingPoint>;
 
 Vec2 centroid_of(const Robots& robots) {
-  Vec2 sum = Vec2::Zero();
+  Vec2 sum;
   for (const LiftingPoint& robot : robots) sum += robot.position;
   return sum / static_cast<double>(robots.size());
 }
@@ -56,7 +56,7 @@ class NearestEven {
 
  private:
   static double square(const LiftingPoint& a, const LiftingPoint& b) {
-    return (a.position - b.position).squaredNorm();
+    return squared_length(a.position - b.position);
   }
 
   const balanced::Rules& rules_;

@@ -26,7 +26,7 @@ Vec2 or_vertex(const Polygon& polygon, std::uint32_t edge, const Vec2& point) {
 }
 
 // A point this near the outline is on it but for rounding, and stays as given.
-double rounding_of(const Vec2& point) { return 0x1p-50 * point.cwiseAbs().maxCoeff(); }
+double rounding_of(const Vec2& point) { return 0x1p-50 * max_norm(point); }
 
 // Rounds to three significant digits.
 std::string in_brief(double distance) {
@@ -46,7 +46,7 @@ InputError error_at(std::size_t number, std::string why) {
 
 std::string why_refused(const PolygonWithHoles& object, const SupportPlacer& placer,
                         const Vec2& support) {
-  const std::string at = "(" + shortest(support.x()) + ", " + shortest(support.y()) + ")";
+  const std::string at = "(" + shortest(support.x) + ", " + shortest(support.y) + ")";
   if (const auto hole = object.hole_around(support))
     return say("{point} is in hole {hole}", {at, *hole + 1});
   return say("{point} is {distance} outside the object", {at, in_brief(placer.distance(support))});

@@ -35,7 +35,7 @@ Points on_square(const SupportPlacer& placer, const ShortNumbers& rounded, const
                      : way < 3 ? Vec2(-part, 1)
                                : Vec2(-1, -part);
     const Vec2 at = middle + size * leg;
-    const Vec2 short_at(rounded(at.x()), rounded(at.y()));
+    const Vec2 short_at(rounded(at.x), rounded(at.y));
     if (!placer.place(short_at)) return {};
     supports.push_back(short_at);
   }

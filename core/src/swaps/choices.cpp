@@ -39,7 +39,7 @@ Choices::Choices(const PolygonWithHoles& object, const Vec2& centre,
   for (const int x : {-1, 0, 1})
     for (const int y : {-1, 0, 1})
       for (const int z : {-1, 0, 1})
-        if (x != 0 || y != 0 || z != 0) know(Wrench(x, y, z).normalized());
+        if (x != 0 || y != 0 || z != 0) know(unit(Wrench(x, y, z)));
 }
 
 Part Choices::part_of(const std::vector<std::uint32_t>& taken,
@@ -99,7 +99,7 @@ bool Choices::surely_below(const Trial& trial, std::uint32_t level) {
   const double bound = bounds_[level - 1] - slack;
   const auto stays_below = [&](const Part& part, const Wrench& u) {
     return std::all_of(part.wrenches.begin(), part.wrenches.end(),
-                       [&](const Wrench& w) { return u.dot(w) < bound; });
+                       [&](const Wrench& w) { return dot(u, w) < bound; });
   };
   const Part &first = part(trial.candidate), &second = part(trial.other);
   const auto telling = std::find_if(directions_.begin(), directions_.end(), [&](const Wrench& u) {

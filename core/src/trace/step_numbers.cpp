@@ -9,8 +9,8 @@
 namespace evenlift {
 
 void StepNumbers::point(std::string_view x, std::string_view y, const Vec2& p) {
-  add(x, p.x());
-  add(y, p.y());
+  add(x, p.x);
+  add(y, p.y);
 }
 
 void StepNumbers::polygon() {

@@ -19,13 +19,13 @@ Points first_places(const Placement& placement, std::size_t number) {
 // The loads of springs: level + slope . (p - C), where above 0.
 struct Sinking {
   double level = 0;
-  Vec2 slope = Vec2::Zero();
+  Vec2 slope;
 };
 
 // The plane of least squares through the loads above 0; level if these robots are on one line.
 Sinking sinking_of(const Placement& placement) {
   const Vec2& centre = placement.centre_of_mass;
-  Vec2 mean = Vec2::Zero();
+  Vec2 mean;
   double load = 0, number = 0;
   const auto each = [&](auto take) {
     for (const Robot& robot : placement.teams[0].robots)
@@ -38,17 +38,17 @@ Sinking sinking_of(const Placement& placement) {
   });
   mean /= number;
   double xx = 0, xy = 0, yy = 0;
-  Vec2 along = Vec2::Zero();
+  Vec2 along;
   each([&](const Robot& robot) {
     const Vec2 d = robot.point.position - centre - mean;
-    xx += d.x() * d.x();
-    xy += d.x() * d.y();
-    yy += d.y() * d.y();
+    xx += d.x * d.x;
+    xy += d.x * d.y;
+    yy += d.y * d.y;
     along += (robot.load - load / number) * d;
   });
   const double area = xx * yy - xy * xy;
-  if (!(area > tau * xx * yy)) return {load / number, Vec2::Zero()};
-  const Vec2 slope = Vec2(yy * along.x() - xy * along.y(), xx * along.y() - xy * along.x()) / area;
+  if (!(area > tau * xx * yy)) return {load / number, Vec2{}};
+  const Vec2 slope = Vec2(yy * along.x - xy * along.y, xx * along.y - xy * along.x) / area;
   return {load / number - dot(slope, mean), slope};
 }
 

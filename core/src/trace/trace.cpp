@@ -408,7 +408,7 @@ std::vector<std::uint32_t> chords_by_slope(const Trace& trace) {
   for (std::uint32_t i = 0; i < trace.rays.vertices.size(); ++i) {
     const std::uint32_t vertex = trace.rays.vertices[i];
     const Vec2 u = trace.polygon().vertex(vertex) - trace.centre;
-    const bool falls = u.x() * u.y() < 0 && !is_vertical(u);
+    const bool falls = u.x * u.y < 0 && !is_vertical(u);
     for (std::uint32_t c = trace.rays.begins[i]; c < trace.rays.begins[i + 1]; ++c) {
       // Otherwise an earlier ray lists it.
       const VertexChord& chord = trace.rays.chords[c];

@@ -45,11 +45,11 @@ bool centre_is_outside(const Trace& trace) {
   for (std::size_t i = 0; i < trace.polygon().size(); ++i) {
     const Vec2 &p = trace.polygon().edge_start(i), &q = trace.polygon().edge_end(i);
     const double side = orient(p, q, c);
-    const bool within_x = (p.x() <= c.x()) == (c.x() <= q.x());
-    const bool within_y = (p.y() <= c.y()) == (c.y() <= q.y());
+    const bool within_x = (p.x <= c.x) == (c.x <= q.x);
+    const bool within_y = (p.y <= c.y) == (c.y <= q.y);
     if (side == 0 && within_x && within_y) return false;
     // Half-open: a vertex to the left of C counts for one of its edges.
-    if ((p.y() > c.y()) != (q.y() > c.y()) && (side > 0) == (q.y() > p.y())) outside = !outside;
+    if ((p.y > c.y) != (q.y > c.y) && (side > 0) == (q.y > p.y)) outside = !outside;
   }
   return outside;
 }

@@ -39,7 +39,7 @@ std::optional<InputError> check_settings(const ExperimentSettings& settings);
 // A polygon ready to be measured.
 struct Subject {
   PolygonWithHoles object;
-  Vec2 centre = Vec2::Zero();
+  Vec2 centre;
   std::vector<Candidate> candidates;  // their number is the greatest number of teams
 };
 

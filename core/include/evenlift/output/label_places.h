@@ -16,8 +16,8 @@ using Segment = std::pair<Vec2, Vec2>;
 
 struct Request {
   Box owner;                 // the box around the thing that the label names
-  Vec2 away = Vec2::Zero();  // the preferred direction from the owner, as a vector of any length
-  Vec2 size = Vec2::Zero();  // of the label
+  Vec2 away;  // the preferred direction from the owner, as a vector of any length
+  Vec2 size;  // of the label
 };
 
 struct Surroundings {

@@ -39,7 +39,7 @@ struct Shape {
 // The lines that show a team: for a team of two its chord, otherwise a line from each robot to C.
 // O(robots of the team).
 struct Segment {
-  Vec2 from = Vec2::Zero(), to = Vec2::Zero();
+  Vec2 from, to;
 };
 std::vector<Segment> joining_lines(const Team& team, const Vec2& centre);
 

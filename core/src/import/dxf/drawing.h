@@ -25,7 +25,7 @@ struct DxfLayer {
 
 struct DxfBlock {
   std::string_view name;
-  Vec2 base = Vec2::Zero();
+  Vec2 base;
   std::size_t offset = 0;        // of its first object in the text
   bool in_another_file = false;  // an external reference
 };

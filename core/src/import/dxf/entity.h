@@ -13,7 +13,7 @@ namespace evenlift {
 inline constexpr std::size_t max_dxf_groups = std::size_t{1} << 22;  // limit for a single object
 
 struct DxfVertex {
-  Vec2 point = Vec2::Zero();
+  Vec2 point;
   double bulge = 0;  // the bulge of the edge that follows
   int flags = 0;
 };

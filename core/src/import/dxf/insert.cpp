@@ -17,7 +17,7 @@ double count_of(DxfEntity& entity, int code) {
 Affine DxfInsert::copy(double column, double row, const Vec2& base) const {
   const Affine step{1, 0, 0, 1, column * column_step, row * row_step};
   const Affine scale{scale_x, 0, 0, scale_y, 0, 0};
-  const Affine from_base{1, 0, 0, 1, -base.x(), -base.y()};
+  const Affine from_base{1, 0, 0, 1, -base.x, -base.y};
   return place * step * scale * from_base;
 }
 
@@ -31,7 +31,7 @@ DxfInsert read_dxf_insert(DxfEntity& entity) {
   insert.scale_x = entity.number_of(41, 1);
   insert.scale_y = entity.number_of(42, 1);
   const Vec2 at = entity.point_of(10), turn = direction_of(entity.number_of(50, 0));
-  insert.place = {turn.x(), turn.y(), -turn.y(), turn.x(), at.x(), at.y()};
+  insert.place = {turn.x, turn.y, -turn.y, turn.x, at.x, at.y};
   if (entity.seen_from_behind()) insert.place = Affine{-1, 0, 0, 1, 0, 0} * insert.place;
   return insert;
 }

@@ -38,7 +38,7 @@ DxfDrawn lightweight_polyline(DxfEntity& entity, double) {
   for (const DxfGroup& group : entity.groups) {
     if (group.code == 10) vertices.push_back({{entity.number(group), 0}});
     if (vertices.empty()) continue;
-    if (group.code == 20) vertices.back().point.y() = entity.number(group);
+    if (group.code == 20) vertices.back().point.y = entity.number(group);
     if (group.code == 42) vertices.back().bulge = entity.number(group);
   }
   DxfDrawn drawn = draw_vertices(vertices, (entity.flags_of() & 1) != 0);
@@ -78,7 +78,7 @@ DxfDrawn circle(DxfEntity& entity, double) {
   const Vec2 centre = entity.point_of(10);
   const double radius = entity.number_of(40, 0);
   if (!(radius > 0)) return {};
-  return {placed(entity, Outline::ellipse({radius, 0, 0, radius, centre.x(), centre.y()})),
+  return {placed(entity, Outline::ellipse({radius, 0, 0, radius, centre.x, centre.y})),
           "circle"};
 }
 
@@ -101,7 +101,7 @@ DxfDrawn arc(DxfEntity& entity, double same_point) {
   Outline outline;
   outline.start = at(from);
   const Vec2 quarter = direction_of(angle / 4);
-  outline.bulge_to(at(to), quarter.y() / quarter.x());
+  outline.bulge_to(at(to), quarter.y / quarter.x);
   return {placed(entity, std::move(outline))};
 }
 
@@ -112,7 +112,7 @@ DxfDrawn ellipse(DxfEntity& entity, double same_point) {
                to = entity.number_of(42, 2 * pi);
   // An ellipse has world coordinates. If seen from behind, its minor axis points the other way.
   const Vec2 minor = (entity.seen_from_behind() ? -ratio : ratio) * left_normal(major);
-  const Affine frame{major.x(), major.y(), minor.x(), minor.y(), centre.x(), centre.y()};
+  const Affine frame{major.x, major.y, minor.x, minor.y, centre.x, centre.y};
   const double angle = angle_from_to(from, to, 2 * pi, same_point);
   if (angle > 2 * pi - same_point) return {Outline::ellipse(frame), "ellipse"};
   const auto at = [](double parameter) {

@@ -386,7 +386,7 @@ double greatest_open(const std::vector<DrawnPiece>& pieces, const std::vector<st
   }
   double greatest = 0;
   for (std::size_t i = 0; i < open.size(); ++i)
-    if (parts[i] > 1) greatest = std::max(greatest, bounding_box(corners[i]).size().prod());
+    if (parts[i] > 1) greatest = std::max(greatest, bounding_box(corners[i]).area());
   return greatest;
 }
 
@@ -403,7 +403,7 @@ Joining join(const std::vector<DrawnPiece>& pieces, std::optional<double> reach)
   std::iota(all.begin(), all.end(), std::size_t{0});
   const Points ends = ends_of(pieces, all);
   const Vec2 size = bounding_box(corners).size();
-  const double side = std::max(size.x(), size.y());
+  const double side = std::max(size.x, size.y);
   if (!(side > 0) || !std::isfinite(side)) {
     joining.open = std::move(all);
     return joining;

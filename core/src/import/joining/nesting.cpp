@@ -58,8 +58,8 @@ bool is_on_boundary(const OutlineInOrder& outline, const Vec2& p) {
 // `perhaps`.
 enum class Touching : std::uint8_t { no, perhaps };
 bool contains(const OutlineInOrder& outer, const OutlineInOrder& inner, Touching touching) {
-  if ((inner.box.low.array() < outer.box.low.array()).any() ||
-      (inner.box.high.array() > outer.box.high.array()).any())
+  if (inner.box.low.x < outer.box.low.x || inner.box.low.y < outer.box.low.y ||
+      inner.box.high.x > outer.box.high.x || inner.box.high.y > outer.box.high.y)
     return false;
   constexpr std::size_t most_looked_at = 256;
   const std::size_t step = inner.key.size() / most_looked_at + 1;

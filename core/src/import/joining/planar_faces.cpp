@@ -27,8 +27,8 @@ Look look_of(const GraphEdge& edge) {
   Look look{std::min(edge.from, edge.to),
             std::max(edge.from, edge.to),
             curve.kind,
-            Vec2::Zero(),
-            Vec2::Zero(),
+            Vec2{},
+            Vec2{},
             1};
   if (curve.kind == Kind::line) return look;
   look.first = curve.kind == Kind::cubic && back ? curve.second : curve.first;
@@ -38,8 +38,8 @@ Look look_of(const GraphEdge& edge) {
 }
 
 auto order_of(const Look& look) {
-  return std::tuple(look.low, look.high, look.kind, look.first.x(), look.first.y(), look.second.x(),
-                    look.second.y(), look.weight);
+  return std::tuple(look.low, look.high, look.kind, look.first.x, look.first.y, look.second.x,
+                    look.second.y, look.weight);
 }
 
 bool same(const Look& a, const Look& b, double near) {
@@ -209,7 +209,7 @@ class Graph {
   double area_of(const Face& face) const {
     const Outline outline = outline_of(face, edges_, nodes_);
     const Box box = control_box(outline);
-    const double side = std::max(box.size().x(), box.size().y());
+    const double side = std::max(box.size().x, box.size().y);
     if (!(side > 0)) return 0;
     constexpr std::size_t most = 1u << 22;
     const auto points = flatten(outline, side / 1000, most);

@@ -43,19 +43,19 @@ class PointGrid {
   // segment. O(c log n + visits) for c columns of cells.
   template <class Visit>
   void for_each_along(const Vec2& a, const Vec2& b, double near, Visit visit) const {
-    const Vec2 &left = a.x() <= b.x() ? a : b, &right = a.x() <= b.x() ? b : a;
+    const Vec2 &left = a.x <= b.x ? a : b, &right = a.x <= b.x ? b : a;
     const std::int64_t x0 = cell_of(left - Vec2(near, near)).first,
                        x1 = cell_of(right + Vec2(near, near)).first;
-    const double width = right.x() - left.x();
+    const double width = right.x - left.x;
     for (std::int64_t x = x0; x <= x1; ++x) {
       // The column's range of x, widened by `near`, and the segment's y at a given x.
-      const double from = low_.x() + static_cast<double>(x) * cell_ - near,
+      const double from = low_.x + static_cast<double>(x) * cell_ - near,
                    to = from + cell_ + 2 * near;
       const auto height = [&](double at) {
-        const double part = width > 0 ? std::clamp((at - left.x()) / width, 0.0, 1.0) : 0;
-        return left.y() + part * (right.y() - left.y());
+        const double part = width > 0 ? std::clamp((at - left.x) / width, 0.0, 1.0) : 0;
+        return left.y + part * (right.y - left.y);
       };
-      double low = height(from), high = width > 0 ? height(to) : right.y();
+      double low = height(from), high = width > 0 ? height(to) : right.y;
       if (low > high) std::swap(low, high);
       const std::int64_t y0 = cell_of({from, low - near}).second,
                          y1 = cell_of({from, high + near}).second;
@@ -75,7 +75,7 @@ class PointGrid {
     const auto whole = [&](double value) {
       return static_cast<std::int64_t>(std::clamp(std::floor(value / cell_), -most, most));
     };
-    return {whole(point.x() - low_.x()), whole(point.y() - low_.y())};
+    return {whole(point.x - low_.x), whole(point.y - low_.y)};
   }
 
   template <class Visit>
@@ -92,7 +92,7 @@ class PointGrid {
 
   const Points& points_;
   double cell_;
-  Vec2 low_ = Vec2::Zero();
+  Vec2 low_;
   std::vector<Entry> entries_;
 };
 

@@ -30,14 +30,14 @@ InputError refused(const char* why) { return {ErrorCode::bad_coordinate, why, {}
 }  // namespace
 
 Projection::Projection(const Vec2& origin, const Box& box)
-    : origin_(origin), scale_(degree_at(origin.y())) {
-  const double south = degree_at(box.low.y()).x(), north = degree_at(box.high.y()).x();
-  error_ = std::max(std::abs(scale_.x() / south - 1), std::abs(scale_.x() / north - 1));
+    : origin_(origin), scale_(degree_at(origin.y)) {
+  const double south = degree_at(box.low.y).x, north = degree_at(box.high.y).x;
+  error_ = std::max(std::abs(scale_.x / south - 1), std::abs(scale_.x / north - 1));
 }
 
 Result<Projection> Projection::about_middle(const Box& box) {
-  const auto beyond = [&](Eigen::Index i, double limit) {
-    return box.low[i] < -limit || box.high[i] > limit;
+  const auto beyond = [&](std::size_t axis, double limit) {
+    return box.low[axis] < -limit || box.high[axis] > limit;
   };
   if (beyond(0, 180) || beyond(1, 90))
     return refused(
@@ -45,10 +45,10 @@ Result<Projection> Projection::about_middle(const Box& box) {
   if (beyond(1, greatest_latitude))
     return refused("a latitude is beyond 85 degrees, too near a pole for a plane in metres");
   static_assert(greatest_latitude == 85, "the message names the number");
-  if (box.size().x() > 180)
+  if (box.size().x > 180)
     return refused("the coordinates are on both sides of the 180th meridian");
   const Vec2 middle = box.middle();
-  return Projection({with_four_decimals(middle.x()), with_four_decimals(middle.y())}, box);
+  return Projection({with_four_decimals(middle.x), with_four_decimals(middle.y)}, box);
 }
 
 }  // namespace evenlift

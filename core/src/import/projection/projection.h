@@ -24,12 +24,12 @@ class Projection {
   static Result<Projection> about_middle(const Box& box);
 
   // Metres east (x) and north (y) of the origin. O(1).
-  Vec2 metres(const Vec2& degrees) const { return (degrees - origin_).cwiseProduct(scale_); }
+  Vec2 metres(const Vec2& degrees) const { return componentwise_product(degrees - origin_, scale_); }
 
   // The origin in degrees, with at most four decimals.
   const Vec2& origin() const { return origin_; }
   // The length in metres of a degree of longitude or latitude, whichever is longer.
-  double greatest_scale() const { return scale_.maxCoeff(); }
+  double greatest_scale() const { return max_norm(scale_); }
   // The greatest relative error of a width in the box.
   double error() const { return error_; }
 

@@ -36,9 +36,9 @@ Aspect aspect_of(std::string_view text) {
 }
 
 Vec2 scale_of(const Aspect& aspect, const Vec2& box, const Vec2& size) {
-  const Vec2 scale(size.x() / box.x(), size.y() / box.y());
+  const Vec2 scale(size.x / box.x, size.y / box.y);
   if (aspect.stretched) return scale;
-  const double both = aspect.slice ? scale.maxCoeff() : scale.minCoeff();
+  const double both = aspect.slice ? std::max(scale.x, scale.y) : std::min(scale.x, scale.y);
   return {both, both};
 }
 
@@ -87,10 +87,10 @@ double pixels_of(LengthUnit unit) {
 std::optional<Vec2> user_unit(const SvgSize& size, const std::optional<SvgViewBox>& box,
                               std::optional<double> width, std::optional<double> height) {
   if (svg_trimmed(size.view_box).empty()) return Vec2(1, 1);
-  if (!box || !(box->size.x() > 0) || !(box->size.y() > 0)) return std::nullopt;
+  if (!box || !(box->size.x > 0) || !(box->size.y > 0)) return std::nullopt;
   // A missing side follows from the other one.
-  if (!width) width = *height * (box->size.x() / box->size.y());
-  if (!height) height = *width * (box->size.y() / box->size.x());
+  if (!width) width = *height * (box->size.x / box->size.y);
+  if (!height) height = *width * (box->size.y / box->size.x);
   return scale_of(aspect_of(size.aspect), box->size, {*width, *height});
 }
 
@@ -106,11 +106,11 @@ std::optional<SvgViewBox> svg_view_box(std::string_view text) {
 Affine fitted(const SvgViewBox& box, const Vec2& size, std::string_view aspect_text) {
   const Aspect aspect = aspect_of(aspect_text);
   const Vec2 scale = scale_of(aspect, box.size, size);
-  const Vec2 room(size.x() - scale.x() * box.size.x(), size.y() - scale.y() * box.size.y());
-  const double across = aspect.stretched ? 0 : aspect.across * room.x();
-  const double down = aspect.stretched ? 0 : aspect.down * room.y();
+  const Vec2 room(size.x - scale.x * box.size.x, size.y - scale.y * box.size.y);
+  const double across = aspect.stretched ? 0 : aspect.across * room.x;
+  const double down = aspect.stretched ? 0 : aspect.down * room.y;
   return {
-      scale.x(), 0, 0, scale.y(), across - scale.x() * box.low.x(), down - scale.y() * box.low.y()};
+      scale.x, 0, 0, scale.y, across - scale.x * box.low.x, down - scale.y * box.low.y};
 }
 
 SvgPaper paper_of(const SvgSize& size) {
@@ -119,7 +119,7 @@ SvgPaper paper_of(const SvgSize& size) {
                               height = side_in_pixels(size.height);
   const std::optional<SvgViewBox> box = svg_view_box(size.view_box);
   paper.viewport = {width, height};
-  if (box) paper.viewport = {box->size.x(), box->size.y()};
+  if (box) paper.viewport = {box->size.x, box->size.y};
 
   const LengthUnit of_width = width ? paper_unit(size.width) : LengthUnit::none;
   const LengthUnit of_height = height ? paper_unit(size.height) : LengthUnit::none;
@@ -131,13 +131,13 @@ SvgPaper paper_of(const SvgSize& size) {
   constexpr double rounding = 1e-4;
   for (const UnitSize& unit : unit_sizes) {
     const Vec2 difference = *pixels - Vec2(unit.pixels, unit.pixels);
-    if (!(difference.cwiseAbs().maxCoeff() < rounding * unit.pixels)) continue;
+    if (!(max_norm(difference) < rounding * unit.pixels)) continue;
     paper.unit = unit.unit;
     return paper;
   }
   paper.unit = written;
-  paper.across = pixels->x() / pixels_of(written);
-  paper.down = pixels->y() / pixels_of(written);
+  paper.across = pixels->x / pixels_of(written);
+  paper.down = pixels->y / pixels_of(written);
   return paper;
 }
 

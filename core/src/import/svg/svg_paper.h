@@ -18,7 +18,7 @@ struct SvgViewport {
 // The rectangle that is drawn, in user units. svg_view_box() returns nullopt if the text is not
 // four numbers.
 struct SvgViewBox {
-  Vec2 low = Vec2::Zero(), size = Vec2::Zero();
+  Vec2 low, size;
 };
 std::optional<SvgViewBox> svg_view_box(std::string_view text);
 

@@ -17,7 +17,7 @@ constexpr double speck = 1.0 / 2000;
 constexpr std::size_t most_pieces_of_a_hair = 8;
 
 bool is_near(const Vec2& a, const Vec2& b, double distance) {
-  return std::abs(a.x() - b.x()) <= distance && std::abs(a.y() - b.y()) <= distance;
+  return std::abs(a.x - b.x) <= distance && std::abs(a.y - b.y) <= distance;
 }
 
 bool is_same(const Affine& a, const Affine& b) {

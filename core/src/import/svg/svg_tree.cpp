@@ -127,7 +127,7 @@ bool SvgReader::transform(const pugi::xml_node& node, const SvgDeclared& declare
               svg_transform_origin(origin_text, inside.viewport.width, inside.viewport.height));
   if (!origin) return false;
   inside.matrix =
-      inside.matrix * moved(origin->x(), origin->y()) * *matrix * moved(-origin->x(), -origin->y());
+      inside.matrix * moved(origin->x, origin->y) * *matrix * moved(-origin->x, -origin->y);
   return true;
 }
 
@@ -285,16 +285,16 @@ std::optional<InputError> SvgReader::nested(const pugi::xml_node& node, const pu
   // A missing side is that of the surrounding viewport.
   SvgViewport size{*width ? *width : inside.viewport.width,
                    *height ? *height : inside.viewport.height};
-  if (box && !size.width) size.width = box->size.x();
-  if (box && !size.height) size.height = box->size.y();
+  if (box && !size.width) size.width = box->size.x;
+  if (box && !size.height) size.height = box->size.y;
   for (const auto& each : {size.width, size.height})
     if (each && !(*each > 0)) return std::nullopt;  // not drawn, by the standard
-  if (box && !(box->size.minCoeff() > 0)) return std::nullopt;
+  if (box && !(box->size.x > 0 && box->size.y > 0)) return std::nullopt;
   inside.viewport = size;
   if (box) {
     inside.matrix = inside.matrix * fitted(*box, {*size.width, *size.height},
                                            value_of(node, "preserveAspectRatio"));
-    inside.viewport = {box->size.x(), box->size.y()};
+    inside.viewport = {box->size.x, box->size.y};
   }
   if (!inside.name_of_copy.empty()) inside.layer = inside.name_of_copy;
   if (const std::string_view label = label_of(node); !label.empty()) inside.layer = label;

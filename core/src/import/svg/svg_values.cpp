@@ -199,10 +199,10 @@ class PathReader {
   std::string_view text_;
   std::size_t at_ = 0;
   std::vector<SvgOutline> outlines_;
-  Vec2 position_ = Vec2::Zero(), origin_ = Vec2::Zero();  // origin_: of a command's coordinates
+  Vec2 position_, origin_;  // origin_: of a command's coordinates
   bool open_ = false;                                     // an outline has begun
   char last_ = 0;                                         // the last command, in lower case
-  Vec2 last_control_ = Vec2::Zero();
+  Vec2 last_control_;
   std::size_t parts_ = 0;
   std::string problem_;
 };
@@ -229,7 +229,7 @@ bool PathReader::flag(bool& value) {
 bool PathReader::move(bool relative) {
   double to[2];
   if (!numbers(to, 2) || !has_room()) return false;
-  origin_ = relative ? position_ : Vec2(Vec2::Zero());
+  origin_ = relative ? position_ : Vec2{};
   position_ = absolute(to[0], to[1]);
   outlines_.push_back({{position_, {}}, false});
   open_ = true;
@@ -250,8 +250,8 @@ bool PathReader::arc(const Vec2& from) {
   // SVG 1.1, F.6.5, with the ellipse as the unit circle.
   const Affine turn = rotation(v[2]);
   const Vec2 half = (from - end) / 2;
-  Vec2 h((turn.a * half.x() + turn.b * half.y()) / rx,
-         (turn.c * half.x() + turn.d * half.y()) / ry);
+  Vec2 h((turn.a * half.x + turn.b * half.y) / rx,
+         (turn.c * half.x + turn.d * half.y) / ry);
   const double size = length(h);
   if (size > 1) {  // an ellipse too small to reach both ends grows
     rx *= size;
@@ -260,9 +260,9 @@ bool PathReader::arc(const Vec2& from) {
   }
   const double squared = dot(h, h);
   const double away = std::sqrt(std::max(0.0, (1 - squared) / squared));
-  const Vec2 centre = (large == sweep ? -away : away) * Vec2(h.y(), -h.x());
-  const Affine frame = Affine{1, 0, 0, 1, (from.x() + end.x()) / 2, (from.y() + end.y()) / 2} *
-                       turn * Affine{rx, 0, 0, ry, rx * centre.x(), ry * centre.y()};
+  const Vec2 centre = (large == sweep ? -away : away) * Vec2(h.y, -h.x);
+  const Affine frame = Affine{1, 0, 0, 1, (from.x + end.x) / 2, (from.y + end.y) / 2} *
+                       turn * Affine{rx, 0, 0, ry, rx * centre.x, ry * centre.y};
   outline().arc_to(frame, h - centre, -h - centre, sweep, large, end);
   return true;
 }
@@ -272,8 +272,8 @@ bool PathReader::line(char lower, const Vec2& from) {
   double v[2] = {};
   if (!numbers(v, lower == 'l' ? 2 : 1)) return false;
   outline().line_to(lower == 'l'   ? absolute(v[0], v[1])
-                    : lower == 'h' ? Vec2(origin_.x() + v[0], from.y())
-                                   : Vec2(from.x(), origin_.y() + v[0]));
+                    : lower == 'h' ? Vec2(origin_.x + v[0], from.y)
+                                   : Vec2(from.x, origin_.y + v[0]));
   return true;
 }
 
@@ -329,7 +329,7 @@ bool PathReader::piece(char lower, bool relative) {
     open_ = true;
   }
   const Vec2 from = position_;
-  origin_ = relative ? from : Vec2(Vec2::Zero());
+  origin_ = relative ? from : Vec2{};
   Vec2 control = from;
   if (!segment(lower, from, control)) return false;
   position_ = outline().end();
@@ -448,7 +448,7 @@ SvgResult<Affine> svg_transform(std::string_view text) {
 SvgResult<Vec2> svg_transform_origin(std::string_view text, std::optional<double> width,
                                      std::optional<double> height) {
   text = svg_trimmed(text);
-  if (text.empty()) return Vec2(Vec2::Zero());
+  if (text.empty()) return Vec2{};
   const std::size_t end = std::min(text.find_first_of(" \t\r\n"), text.size());
   std::string_view first = text.substr(0, end), second = svg_trimmed(text.substr(end));
   second = second.substr(0, second.find_first_of(" \t\r\n"));  // a third value is a depth

@@ -69,7 +69,7 @@ std::string text(std::string_view utf8) {
 
 std::string boolean(bool value) { return value ? "true" : "false"; }
 
-std::string pair(const Vec2& point) { return array({number(point.x()), number(point.y())}); }
+std::string pair(const Vec2& point) { return array({number(point.x), number(point.y)}); }
 
 std::string array(const std::vector<std::string>& items) { return joined("[", items, ", ", "]"); }
 std::string array(std::initializer_list<std::string> items) {

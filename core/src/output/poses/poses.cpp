@@ -47,7 +47,7 @@ std::string as_csv(const std::vector<PlacedRobot>& robots, bool carried, const U
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const PlacedRobot& robot = robots[i];
     text += std::to_string(i + 1) + "," + std::to_string(robot.team + 1);
-    for (const double value : {robot.at.x(), robot.at.y(), robot.heading_deg})
+    for (const double value : {robot.at.x, robot.at.y, robot.heading_deg})
       text += "," + shortest(without_sign(value));
     text += "," + (carried ? shortest(without_sign(robot.load)) : std::string());
     text += labels;
@@ -64,10 +64,10 @@ std::string as_json(const std::vector<PlacedRobot>& robots, bool carried, const 
     items.push_back(json::object(
         {{"robot", std::to_string(i + 1)},
          {"team", std::to_string(robot.team + 1)},
-         {"x", number(robot.at.x())},
-         {"y", number(robot.at.y())},
+         {"x", number(robot.at.x)},
+         {"y", number(robot.at.y)},
          {"heading_deg", number(robot.heading_deg)},
-         {"direction", json::array({number(robot.direction.x()), number(robot.direction.y())})},
+         {"direction", json::array({number(robot.direction.x), number(robot.direction.y)})},
          {"load", carried ? number(robot.load) : "null"}}));
   }
   const bool has_unit = units.length != LengthUnit::none;
@@ -94,7 +94,7 @@ std::string yaml_number(double value) {
 // z and w >= 0 of the quaternion that turns the x axis about z to `direction`, by the half-angle
 // formula without cancellation.
 std::array<double, 2> half_turn(const Vec2& direction) {
-  const double x = direction.x(), y = direction.y() + 0.0;  // straight back is a left turn
+  const double x = direction.x, y = direction.y + 0.0;  // straight back is a left turn
   if (x >= 0) {
     const double w = std::sqrt((1 + x) / 2);
     return {y / (2 * w), w};
@@ -129,8 +129,8 @@ std::string as_yaml(const std::vector<PlacedRobot>& robots, bool carried, const 
                            {i + 1, robot.team + 1})) +
             "\n";
     text += "  - position: " +
-            vector_in_yaml({{"x", in_metres(robot.at.x(), units.length)},
-                            {"y", in_metres(robot.at.y(), units.length)},
+            vector_in_yaml({{"x", in_metres(robot.at.x, units.length)},
+                            {"y", in_metres(robot.at.y, units.length)},
                             {"z", 0}}) +
             "\n    orientation: " + vector_in_yaml({{"x", 0}, {"y", 0}, {"z", z}, {"w", w}}) + "\n";
   }

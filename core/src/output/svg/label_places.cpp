@@ -19,8 +19,8 @@ constexpr double room = 2;                    // between two labels
 constexpr std::size_t large_outline = 20000;  // has no visible interior
 
 bool overlap(const Box& a, const Box& b) {
-  return a.low.x() < b.high.x() && b.low.x() < a.high.x() && a.low.y() < b.high.y() &&
-         b.low.y() < a.high.y();
+  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y &&
+         b.low.y < a.high.y;
 }
 
 Box grown(const Box& box, double by) {
@@ -29,18 +29,18 @@ Box grown(const Box& box, double by) {
 }
 
 bool contains(const Box& box, const Box& inner) {
-  return box.low.x() <= inner.low.x() && box.low.y() <= inner.low.y() &&
-         inner.high.x() <= box.high.x() && inner.high.y() <= box.high.y();
+  return box.low.x <= inner.low.x && box.low.y <= inner.low.y &&
+         inner.high.x <= box.high.x && inner.high.y <= box.high.y;
 }
 
 Box bounds(const Segment& s) {
-  return {Vec2(std::min(s.first.x(), s.second.x()), std::min(s.first.y(), s.second.y())),
-          Vec2(std::max(s.first.x(), s.second.x()), std::max(s.first.y(), s.second.y()))};
+  return {Vec2(std::min(s.first.x, s.second.x), std::min(s.first.y, s.second.y)),
+          Vec2(std::max(s.first.x, s.second.x), std::max(s.first.y, s.second.y))};
 }
 
 bool touches(const Box& a, const Box& b) {
-  return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() && a.low.y() <= b.high.y() &&
-         b.low.y() <= a.high.y();
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y &&
+         b.low.y <= a.high.y;
 }
 
 // Whether the segment's bounds touch the box, which has corners on both sides of the segment's
@@ -50,7 +50,7 @@ bool meets(const Segment& s, const Box& box) {
   const Vec2 along = s.second - s.first;
   bool left = false, right = false;
   for (const Vec2& corner :
-       {box.low, box.high, Vec2(box.low.x(), box.high.y()), Vec2(box.high.x(), box.low.y())}) {
+       {box.low, box.high, Vec2(box.low.x, box.high.y), Vec2(box.high.x, box.low.y)}) {
     const double side = cross(along, Vec2(corner - s.first));
     left = left || side >= 0;
     right = right || side <= 0;
@@ -65,9 +65,9 @@ Box beside(const Box& owner, const Vec2& size, double distance, const Vec2& dire
   // Diagonal places are mostly on an ellipse: touching corners would look too far apart.
   const Vec2 reach = half + size / 2 + Vec2(distance, distance);
   const double scale =
-      1 / std::max(std::abs(direction.x()) / reach.x(), std::abs(direction.y()) / reach.y());
-  const double rounder = 1 / length(Vec2(direction.x() / reach.x(), direction.y() / reach.y()));
-  const double corner = std::min(std::abs(direction.x()), std::abs(direction.y()));
+      1 / std::max(std::abs(direction.x) / reach.x, std::abs(direction.y) / reach.y);
+  const double rounder = 1 / length(Vec2(direction.x / reach.x, direction.y / reach.y));
+  const double corner = std::min(std::abs(direction.x), std::abs(direction.y));
   const Vec2 at = middle + direction * (corner < 0.2 ? scale : 0.35 * scale + 0.65 * rounder);
   return {at - size / 2, at + size / 2};
 }
@@ -77,7 +77,7 @@ struct Nearby {
 };
 
 Nearby near(const Request& request, const Surroundings& around) {
-  const double reach = 2 * (request.size.x() + request.size.y()) + distances[2];
+  const double reach = 2 * (request.size.x + request.size.y) + distances[2];
   const Box area = grown(request.owner, reach);
   Nearby nearby;
   const auto add_edges = [&](const Points& p) {

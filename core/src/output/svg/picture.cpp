@@ -68,16 +68,16 @@ std::vector<Segment> joining_lines(const Team& team, const Vec2& centre) {
 
 std::vector<TallyStroke> tally(std::size_t team, const Vec2& at, const Vec2& outward,
                                double radius) {
-  constexpr double length = 7, apart = 5;  // pixels
-  const double way = outward.norm();
-  const Vec2 out = way > 0 ? Vec2(outward / way) : Vec2(0, 1);
-  const Vec2 across(-out.y(), out.x());
+  constexpr double stroke = 7, apart = 5;  // pixels
+  const double way = length(outward);
+  const Vec2 out = way > 0 ? outward / way : Vec2(0, 1);
+  const Vec2 across(-out.y, out.x);
   const std::size_t fives = team / 5, strokes = fives + team % 5;
   std::vector<TallyStroke> marks;
   for (std::size_t i = 0; i < strokes; ++i) {
     const double aside = apart * (static_cast<double>(i) - static_cast<double>(strokes - 1) / 2);
     const Vec2 from = at + radius * out + aside * across;
-    marks.push_back({{from, from + length * out}, i < fives});
+    marks.push_back({{from, from + stroke * out}, i < fives});
   }
   return marks;
 }

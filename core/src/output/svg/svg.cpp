@@ -218,7 +218,7 @@ class Drawing {
   }
 
   bool is_on_paper(const Vec2& at) const {
-    return at.x() > 0 && at.x() < paper_.width && at.y() > 0 && at.y() < paper_.height;
+    return at.x > 0 && at.x < paper_.width && at.y > 0 && at.y < paper_.height;
   }
 
   // With one team H is a segment: a broad stroke under the chord.
@@ -254,8 +254,8 @@ class Drawing {
         // Both regions may shrink to the same line: one is dashed.
         (shape.points.size() == 2 && !clockwise ? attribute("stroke-dasharray", "8 8") : "");
     if (shape.points.size() > 1) return drawn_path(name, area, true, look);
-    return element("circle", attribute("class", name) + attribute("cx", area[0].x()) +
-                                 attribute("cy", area[0].y()) + attribute("r", clockwise ? 5 : 8) +
+    return element("circle", attribute("class", name) + attribute("cx", area[0].x) +
+                                 attribute("cy", area[0].y) + attribute("r", clockwise ? 5 : 8) +
                                  look);
   }
 
@@ -286,7 +286,7 @@ class Drawing {
     const Closure& closure = placement_.closure;
     seen_.slide = closure.translation_free && closure.translation && !placement_.teams.empty();
     if (!seen_.slide) return "";
-    const Vec2 along(closure.translation->x(), -closure.translation->y());
+    const Vec2 along(closure.translation->x, -closure.translation->y);
     const Vec2 centre = paper_(placement_.centre_of_mass);
     const Vec2 tail = centre + along * 14, head = centre + along * 58;
     chords_.emplace_back(tail, head);
@@ -305,9 +305,9 @@ class Drawing {
       const Vec2 size = box.high - box.low;
       if (sized_.empty())
         out +=
-            element("rect", attribute("class", "small-body") + attribute("x", box.low.x()) +
-                                attribute("y", box.low.y()) + attribute("width", size.x()) +
-                                attribute("height", size.y()) + attribute("rx", size.y() / 2) +
+            element("rect", attribute("class", "small-body") + attribute("x", box.low.x) +
+                                attribute("y", box.low.y) + attribute("width", size.x) +
+                                attribute("height", size.y) + attribute("rx", size.y / 2) +
                                 attribute("fill", body_colour) + attribute("fill-opacity", 0.15));
       const Vec2 outward = stand.at - paper_(placement_.centre_of_mass);
       for (const auto& [line, five] : tally(stand.team, stand.at, outward, disc_ + 1.5))
@@ -326,8 +326,8 @@ class Drawing {
       constexpr const char* white = "#FFFFFF";
       const bool beneath = stands_[i].beneath;  // pale, with a dashed rim
       out += element("rect", attribute("class", beneath ? "robot beneath" : "robot") +
-                                 attribute("x", box.low.x()) + attribute("y", box.low.y()) +
-                                 attribute("width", size.x()) + attribute("height", size.y()) +
+                                 attribute("x", box.low.x) + attribute("y", box.low.y) +
+                                 attribute("width", size.x) + attribute("height", size.y) +
                                  attribute("rx", disc_) +
                                  attribute("fill", beneath ? white : text_colour) +
                                  attribute("stroke", beneath ? text_colour : white) +

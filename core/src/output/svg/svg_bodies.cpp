@@ -30,8 +30,8 @@ std::string body(const PlacedRobot& robot, const RobotSize& size, const Paper& p
   const Vec2 middle = paper(robot.stand);
   const double radius = size.radius * paper.scale;
   return out +
-         element("circle", attribute("class", "body") + attribute("cx", middle.x()) +
-                               attribute("cy", middle.y()) + attribute("r", radius) +
+         element("circle", attribute("class", "body") + attribute("cx", middle.x) +
+                               attribute("cy", middle.y) + attribute("r", radius) +
                                attribute("fill", body_colour) + attribute("fill-opacity", 0.15) +
                                attribute("stroke", body_colour));
 }

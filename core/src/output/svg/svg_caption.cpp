@@ -161,7 +161,7 @@ std::string centre_mark(const Vec2& at, double radius) {
   const std::string arc = "A" + r + " " + r + " 0 0 1 ";
   const std::string quarters = "M0 0V-" + r + arc + r + " 0ZM0 0V" + r + arc + "-" + r + " 0Z";
   return "<g class=\"centre-of-mass\"" +
-         attribute("transform", "translate(" + px(at.x()) + " " + px(at.y()) + ")") + ">\n" +
+         attribute("transform", "translate(" + px(at.x) + " " + px(at.y) + ")") + ">\n" +
          element("circle", attribute("r", radius + 2) + attribute("fill", "#FFFFFF")) +
          element("path", attribute("d", quarters) + attribute("fill", text_colour)) +
          element("circle", attribute("r", radius) + attribute("fill", "none") +

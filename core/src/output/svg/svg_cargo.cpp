@@ -1,5 +1,7 @@
 #include "output/svg/svg_cargo.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "evenlift/output/markup.h"
@@ -24,8 +26,8 @@ std::string first_characters(const std::string& text, std::size_t number) {
 }
 
 std::string disc(std::string_view name, const Vec2& at, double radius, const std::string& look) {
-  return element("circle", attribute("class", name) + attribute("cx", at.x()) +
-                               attribute("cy", at.y()) + attribute("r", radius) + look);
+  return element("circle", attribute("class", name) + attribute("cx", at.x) +
+                               attribute("cy", at.y) + attribute("r", radius) + look);
 }
 
 }  // namespace
@@ -36,8 +38,10 @@ void add_discs_of_cargo(const Placement& placement, Points& points) {
   const Box box = bounding_box(placement.vertices());
   const std::vector<double> radii = cargo_radii(placement);
   for (std::size_t i = 0; i < cargo.size(); ++i) {
-    const Vec2 beyond = (cargo[i].at - box.middle()).cwiseAbs() - box.size() / 2;
-    if (beyond.maxCoeff() > placement.polygon().diameter() / 2) continue;
+    const Vec2 off = cargo[i].at - box.middle();
+    const double beyond =
+        std::max(std::fabs(off.x) - box.size().x / 2, std::fabs(off.y) - box.size().y / 2);
+    if (beyond > placement.polygon().diameter() / 2) continue;
     const Vec2 corner(radii[i], radii[i]);
     points.emplace_back(cargo[i].at - corner);
     points.emplace_back(cargo[i].at + corner);

@@ -11,7 +11,7 @@ std::string green() { return attribute("fill", hull_colour) + attribute("fill-op
 
 std::string circle(const Vec2& at, double radius) {
   return element("circle",
-                 attribute("class", "tilt") + attribute("cx", at.x()) + attribute("cy", at.y()) +
+                 attribute("class", "tilt") + attribute("cx", at.x) + attribute("cy", at.y) +
                      attribute("r", radius) + attribute("fill", "none") +
                      attribute("stroke", hull_outline_colour) + attribute("stroke-width", 1.25));
 }

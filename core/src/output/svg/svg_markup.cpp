@@ -26,7 +26,7 @@ namespace {
 
 std::string path_data(const Points& points, bool closed) {
   std::string data;
-  for (const Vec2& p : points) data += (data.empty() ? "M" : "L") + px(p.x()) + " " + px(p.y());
+  for (const Vec2& p : points) data += (data.empty() ? "M" : "L") + px(p.x) + " " + px(p.y);
   return data + (closed ? "Z" : "");
 }
 
@@ -43,7 +43,7 @@ std::string path(const std::vector<Points>& rings) {
 }
 
 std::string arrow(const Vec2& tail, const Vec2& head, std::string_view colour) {
-  const Vec2 along = (head - tail).normalized(), across(-along.y(), along.x());
+  const Vec2 along = unit(head - tail), across(-along.y, along.x);
   const Vec2 neck = head - 9 * along;
   const auto line = [&](std::string_view stroke, double width) {
     return element("path", path({tail, neck}, false) + attribute("stroke", stroke) +
@@ -57,7 +57,7 @@ std::string arrow(const Vec2& tail, const Vec2& head, std::string_view colour) {
 }
 
 std::string text(const Vec2& at, double size, std::string_view words, std::string_view attributes) {
-  return "<text" + attribute("x", at.x()) + attribute("y", at.y()) + attribute("font-size", size) +
+  return "<text" + attribute("x", at.x) + attribute("y", at.y) + attribute("font-size", size) +
          std::string(attributes) + ">" + escaped(words) + "</text>\n";
 }
 

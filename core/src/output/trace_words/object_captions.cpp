@@ -16,16 +16,16 @@ namespace {
 // As seen from C, to the nearest eighth of a turn.
 const char* side_of(const Vec2& way) {
   constexpr double flat = 0.41421356;  // tangent of half the angle between two directions
-  const double across = std::fabs(way.x()), along = std::fabs(way.y());
+  const double across = std::fabs(way.x), along = std::fabs(way.y);
   if (along <= flat * across)
-    return way.x() > 0 ? "to the right of the centre of mass" : "to the left of the centre of mass";
+    return way.x > 0 ? "to the right of the centre of mass" : "to the left of the centre of mass";
   if (across <= flat * along)
-    return way.y() > 0 ? "straight up from the centre of mass"
+    return way.y > 0 ? "straight up from the centre of mass"
                        : "straight down from the centre of mass";
-  if (way.y() > 0)
-    return way.x() > 0 ? "to the upper right of the centre of mass"
+  if (way.y > 0)
+    return way.x > 0 ? "to the upper right of the centre of mass"
                        : "to the upper left of the centre of mass";
-  return way.x() > 0 ? "to the lower right of the centre of mass"
+  return way.x > 0 ? "to the lower right of the centre of mass"
                      : "to the lower left of the centre of mass";
 }
 

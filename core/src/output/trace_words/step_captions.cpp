@@ -447,7 +447,7 @@ std::string StepCaptions::left(const char* sense, const FreeRegion& region, bool
 std::string StepCaptions::slide() const {
   if (const auto& way = placement_.closure.translation)
     return fill("It can slide: no contact blocks the direction ({x}, {y}).",
-                {with_decimals(way->x(), 3), with_decimals(way->y(), 3)});
+                {with_decimals(way->x, 3), with_decimals(way->y, 3)});
   return "It cannot slide: every direction is blocked by a contact.";
 }
 

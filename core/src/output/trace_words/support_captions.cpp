@@ -72,8 +72,8 @@ std::string StepCaptions::falls() const {
 std::string StepFormulas::equations() const {
   const Vec2& centre = trace_.centre;
   return fill("Σ Wi = W = {weight}, Σ Wi xi = W × {x}, Σ Wi yi = W × {y}",
-              {exact(placement_.weight()), number(centre.x(), trace_.polygon().diameter()),
-               number(centre.y(), trace_.polygon().diameter())});
+              {exact(placement_.weight()), number(centre.x, trace_.polygon().diameter()),
+               number(centre.y, trace_.polygon().diameter())});
 }
 
 std::string StepFormulas::by_lever() const {

@@ -126,7 +126,7 @@ Piece area_text(const Trace& trace, double value) {
 }
 
 Piece point_text(const Trace& trace, const Vec2& point) {
-  return {Piece::Kind::point, point.x(), point.y(), trace.polygon().diagonal()};
+  return {Piece::Kind::point, point.x, point.y, trace.polygon().diagonal()};
 }
 
 Piece load_text(const Trace& trace, double value) {
@@ -191,8 +191,8 @@ std::string score_or_bound(const Piece& score, bool exact) {
 
 double slope_degrees(const Vec2& direction) {
   if (is_vertical(direction)) return 90;
-  const Vec2 u = direction.x() < 0 ? Vec2(-direction) : direction;
-  return 180 / pi * arctangent2(u.y(), u.x());
+  const Vec2 u = direction.x < 0 ? Vec2(-direction) : direction;
+  return 180 / pi * arctangent2(u.y, u.x);
 }
 
 }  // namespace evenlift

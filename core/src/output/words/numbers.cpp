@@ -163,19 +163,19 @@ std::string ratio_in_words(double ratio) { return fixed(ratio, 3); }
 
 std::string given_point(const Vec2& point) {
   // Coordinates rounded to zero have no minus sign.
-  const double least = 1e-9 * point.cwiseAbs().maxCoeff();
+  const double least = 1e-9 * max_norm(point);
   const auto coordinate = [&](double value) {
     return significant(std::fabs(value) < least ? 0 : value, 6);
   };
-  return "(" + coordinate(point.x()) + ", " + coordinate(point.y()) + ")";
+  return "(" + coordinate(point.x) + ", " + coordinate(point.y) + ")";
 }
 
 std::string point_in_words(const Vec2& point, int decimals) {
-  return "(" + fixed(point.x(), decimals) + ", " + fixed(point.y(), decimals) + ")";
+  return "(" + fixed(point.x, decimals) + ", " + fixed(point.y, decimals) + ")";
 }
 
 int coordinate_decimals(const Points& vertices) {
-  return std::min(decimals_for(bounding_box(vertices).size().maxCoeff()) + 1, most_decimals);
+  return std::min(decimals_for(max_norm(bounding_box(vertices).size())) + 1, most_decimals);
 }
 
 int margin_decimals(double margin) {
