@@ -69,7 +69,7 @@ function(evenlift_headers package version target folder repository commit includ
   endif()
 endfunction()
 
-# --- Headers only: Eigen (geometry), nlohmann-json (reading JSON), CLI11 (command line) ---------------------------------
+# --- Headers only: Eigen (linear equations), nlohmann-json (reading JSON), CLI11 (command line) ---------------------------------
 evenlift_headers(
   Eigen3 3.4 Eigen3::Eigen Eigen
   https://gitlab.com/libeigen/eigen.git 3147391d946bb4b6c68edd901f2add6ac1f31f8c # 3.4.0
