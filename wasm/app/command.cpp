@@ -2,10 +2,8 @@
 
 namespace evenlift::view {
 
-Command::Command(const Command& other) = default;
-Command::Command(Command&& other) noexcept = default;
-Command& Command::operator=(const Command& other) = default;
-Command& Command::operator=(Command&& other) noexcept = default;
-Command::~Command() = default;
+std::shared_ptr<AnyCommand> Command::owned(AnyCommand* command) {
+  return std::shared_ptr<AnyCommand>(command);
+}
 
 }  // namespace evenlift::view

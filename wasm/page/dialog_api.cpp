@@ -195,7 +195,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_refusal() {
 }
 
 // Of a vertex, or of the centre of mass if `vertex` is -1. `axis` is 0 for x and 1 for y.
-EMSCRIPTEN_KEEPALIVE const char* page_set_coordinate(int vertex, int axis, const char* text) {
+EMSCRIPTEN_KEEPALIVE const char* page_set_coordinate(int vertex, std::size_t axis, const char* text) {
   const AppState& state = app().state;
   const evenlift::Document& document = state.work.document();
   std::string problem;
@@ -292,7 +292,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_weight(int item, int column, const cha
                                                     : std::nullopt;
   if (column < 3 && !value) return hand_over(std::move(problem));
   if (column < 2)
-    changed.at[column] = *value;
+    changed.at[static_cast<std::size_t>(column)] = *value;
   else if (column == 2)
     changed.weight = *value;
   else
@@ -350,7 +350,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_robots(int first, int count) {
 }
 
 // Changes one coordinate. Robots of other methods are taken over.
-EMSCRIPTEN_KEEPALIVE const char* page_set_robot(int robot, int axis, const char* text) {
+EMSCRIPTEN_KEEPALIVE const char* page_set_robot(int robot, std::size_t axis, const char* text) {
   const AppState& state = app().state;
   evenlift::Points robots = supports_now(state);
   std::string problem;

@@ -30,9 +30,7 @@ EMSCRIPTEN_KEEPALIVE void page_take_choice(double number, const unsigned char* b
                                            std::size_t size) {
   std::vector<double> choice(size / sizeof(double));
   if (!choice.empty()) std::memcpy(choice.data(), bytes, choice.size() * sizeof(double));
-  Commands commands;  // an initializer list would copy the choice
-  commands.push_back(TakeChoice{static_cast<std::uint64_t>(number), std::move(choice)});
-  carry_out(std::move(commands));
+  carry_out({TakeChoice{static_cast<std::uint64_t>(number), std::move(choice)}});
 }
 
 // No choice is possible for the document with this number.

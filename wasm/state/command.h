@@ -2,6 +2,7 @@
 // and apply() (app/update.h) carries it out between two frames.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -323,23 +324,20 @@ using AnyCommand = std::variant<
     MeasureSheet, MeasureNotice, CopyLink, TypeValue, OpenDialog, OpenPage, LayOutAgain, TakeRobots,
     TakeChoice, ShowNotice, EndNotice, SetCanvas, SetPreferences, SetTouch, CoverScreen, MakeRoom,
     LayPicture, TakePictureAway, SetMeasuring, KeepMotion, KeepComparison, ForgetSteps, AddStep>;
-// One command. The special members of this class are compiled only once, in command.cpp. Compiled
-// in every file that makes a command, they took half of the panels' compile time.
+// One command, which its copies share. What would copy or destroy any of the kinds is compiled only once, in command.cpp:
+// compiled in every file that makes a command, it took half of the panels' compile time.
 class Command {
  public:
   template <class Kind>
   requires(!std::is_same_v<Kind, Command>) Command(Kind kind)
-      : command_(std::in_place_type<Kind>, std::move(kind)) {}
-  Command(const Command& other);
-  Command(Command&& other) noexcept;
-  Command& operator=(const Command& other);
-  Command& operator=(Command&& other) noexcept;
-  ~Command();
+      : command_(owned(new AnyCommand(std::in_place_type<Kind>, std::move(kind)))) {}
 
-  AnyCommand& kind() { return command_; }
+  AnyCommand& kind() { return *command_; }
 
  private:
-  AnyCommand command_;
+  static std::shared_ptr<AnyCommand> owned(AnyCommand* command);
+
+  std::shared_ptr<AnyCommand> command_;
 };
 using Commands = std::vector<Command>;
 
