@@ -45,27 +45,6 @@ function(evenlift_node_program target)
   set_target_properties(${target} PROPERTIES LINK_DEPENDS "${PROJECT_SOURCE_DIR}/cmake/node_pre.js")
 endfunction()
 
-# Only computes, for the page or a worker.
-function(evenlift_computing_module target)
-  target_compile_options(${target} PRIVATE -fno-exceptions ${evenlift_small})
-  target_link_options(
-    ${target}
-    PRIVATE
-    ${evenlift_small}
-    -fno-exceptions
-    --no-entry
-    -sENVIRONMENT=web,worker
-    -sFILESYSTEM=0
-    -sMALLOC=emmalloc
-    -sDYNAMIC_EXECUTION=0
-    -sALLOW_MEMORY_GROWTH=1
-    -sMODULARIZE=1
-    -sEXPORT_ES6=1
-    -sEXPORTED_FUNCTIONS=_malloc,_free
-    -sEXPORTED_RUNTIME_METHODS=UTF8ToString,stringToUTF8,lengthBytesUTF8,HEAPU8
-    ${evenlift_stack})
-endfunction()
-
 # WebGL 2, no file system, no exceptions, and nothing that a content security policy without 'unsafe-eval' would refuse.
 function(evenlift_page_program target)
   target_compile_options(${target} PRIVATE -fno-exceptions ${evenlift_small})

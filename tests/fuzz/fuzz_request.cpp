@@ -34,7 +34,8 @@ bool is_quick(const Request& request) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::text_of(data, size);
-  const Result<Request> request = read_request(text);
+  const Result<RequestReader> reader = RequestReader::read(text);
+  const Result<Request> request = reader ? reader->request() : reader.error();
   if (request && !is_quick(*request)) return 0;
   const std::string first = answer(text);
   fuzz::require(!first.empty() && first.front() == '{' && first.back() == '\n');

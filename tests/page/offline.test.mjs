@@ -97,10 +97,9 @@ test("every file of the page is kept, as it was built and with the policy", asyn
   for (const name of [
     "index.html",
     "evenlift.wasm",
-    "evenlift_rest.wasm",
     "windows.js",
-    "search_worker.js",
-    "background_core.wasm",
+    "core_worker.js",
+    "core.wasm",
     "charts.js",
     "samples.json",
     "lessons.json",

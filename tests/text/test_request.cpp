@@ -6,6 +6,7 @@
 #include "evenlift/experiment/outputs.h"
 #include "evenlift/link.h"
 #include "evenlift/output/json.h"
+#include "evenlift/output/json_text.h"
 #include "evenlift/output/poses.h"
 #include "evenlift/output/svg.h"
 #include "evenlift/settings.h"
@@ -216,4 +217,18 @@ TEST_CASE("a wrong request gets one sentence that says what and where", "[reques
 
 TEST_CASE("the version is the package's", "[request]") {
   CHECK(answer_json(R"({"command": "version"})")["version"].text().find('.') == 1);
+}
+
+TEST_CASE("a program's own kinds of requests are answered beside those of the manual", "[request]") {
+  const RequestKind kinds[] = {{"count", {"words", "factor"}, [](const RequestMembers& members) {
+                                  double letters = 0;
+                                  for (const std::string& word : members.texts("words"))
+                                    letters += static_cast<double>(word.size());
+                                  return json::number(members.number("factor") * letters);
+                                }}};
+  CHECK(answer(R"({"command": "count", "words": ["ab", "c", 1], "factor": 2})", kinds) == "6\n");
+  CHECK(answer(R"({"command": "version"})", kinds) == answer(R"({"command": "version"})"));
+  const Json wrong = Json::parse(answer(R"({"command": "count", "facter": 2})", kinds));
+  CHECK(wrong["error"]["code"] == "unsupported");
+  CHECK(Json::parse(answer(R"({"command": "count"})"))["error"]["code"] == "unsupported");
 }

@@ -201,6 +201,7 @@ test("what is wrong is said in one sentence, and nothing changes", async () => {
       area.value = value;
     }, text);
     await root.getByRole("button", { name: "Open" }).click();
+    await idle(page);
     const said = await root.locator(".problem").textContent();
     assert.match(said, pattern, text.slice(0, 60));
     assert.match(said, /^[A-Z“1][^\n]*[^.]\.$/, said);
@@ -378,7 +379,7 @@ test("what reads drawings is fetched when the first one is opened", async () => 
   const other = await browser.open();
   const fetched = () =>
     other.evaluate(
-      () => performance.getEntriesByType("resource").filter(({ name }) => name.includes("import_core")).length,
+      () => performance.getEntriesByType("resource").filter(({ name }) => name.includes("core.wasm")).length,
     );
   await drop(other, { text: good.WKT });
   await idle(other);
@@ -464,6 +465,7 @@ test("a drop is shown where it will be taken, above an open window, too", async 
   assert.ok(await page.evaluate(() => document.getElementById("drop-hint").matches(":popover-open")));
   await page.dispatchEvent("#canvas", "drop", { dataTransfer: data });
   await page.locator("#drop-hint").waitFor({ state: "detached" });
+  await idle(page);
   assert.match(await page.locator("#open .problem").textContent(), /“x” cannot be opened: .*at least 3/);
   await page.keyboard.press("Escape");
 });

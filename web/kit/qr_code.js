@@ -1,7 +1,5 @@
 // An address as QR code: black on white whatever the theme, with the quiet zone that readers need.
-import { coreModule } from "./core_module.js";
-
-const qrModule = coreModule(() => import("./qr_core.js"));
+import { askOnce } from "../page/core.js";
 
 const quiet = 4; // modules
 
@@ -17,8 +15,8 @@ function picture(rows) {
   );
 }
 
-// SVG; undefined if the address is too long for a code. Throws if its module cannot be loaded.
+// SVG; undefined if the address is too long for a code. Throws if the core cannot be loaded.
 export async function qrCode(address) {
-  const rows = (await qrModule()).text("qr_code", address).split("\n").filter(Boolean);
+  const { rows } = await askOnce({ command: "qr", text: address });
   return rows.length ? picture(rows) : undefined;
 }

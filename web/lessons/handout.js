@@ -1,15 +1,13 @@
-// A lesson on paper: its steps as pictures with captions, six to a page, computed by a separate module
-// (wasm/modules/handout_api.cpp) and drawn by handout_picture.js.
-import { coreModule } from "../kit/core_module.js";
+// A lesson on paper: its steps as pictures with captions, six to a page, computed by a worker (wasm/modules/handout.cpp)
+// and drawn by handout_picture.js.
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, paragraphs, unbroken } from "../kit/elements.js";
 import { qrCode } from "../kit/qr_code.js";
+import { askOnce } from "../page/core.js";
 import { say, translated } from "../words/words.js";
 import { legend, picture } from "./handout_picture.js";
 import { titleOf } from "./lesson_source.js";
 import { openLessonOf } from "./lesson_watch.js";
-
-const handoutModule = coreModule(() => import("./handout_core.js"));
 
 // "5. Candidates (2 of 4)": each step has its own title, though a chapter may have several steps.
 function titleOfStep({ steps }, step) {
@@ -83,8 +81,7 @@ function taskOf(program, { words, goals, may, numbered }) {
 function subjectOf(program, link) {
   const lesson = openLessonOf(program);
   const steps = async () => {
-    const handout = (await handoutModule()).json("handout_steps", link, lesson?.text ?? "");
-    if (handout.problem) throw new Error(handout.problem);
+    const handout = await askOnce({ command: "handout", link, lesson: lesson?.text ?? "" });
     const figures = handout.steps.map((step) => figureOf(handout, step));
     return [...legend(handout), el("div", { class: "steps" }, ...figures), ...questionOf(handout)];
   };

@@ -45,7 +45,6 @@ export class Bindings {
   #search;
   #choose;
   #program;
-  #whole;
   #screen;
   #page; // as its windows get it
   #pictures = new EventTarget();
@@ -64,10 +63,9 @@ export class Bindings {
     this.#choose = createChoosing(call);
   }
 
-  // Call this before the first call into the program. whole() ends when all of it has arrived.
-  attach(program, whole) {
+  // Call this before the first call into the program.
+  attach(program) {
     this.#program = program;
-    this.#whole = whole;
   }
 
   // Call this once the program runs.
@@ -176,7 +174,7 @@ export class Bindings {
   // For other languages and mathematics; without these fonts, such letters appear as "?".
   fetchLetters() {
     underWay(
-      Promise.all([fetchBytes("letters-regular.otf"), fetchBytes("letters-semibold.otf"), this.#whole()])
+      Promise.all([fetchBytes("letters-regular.otf"), fetchBytes("letters-semibold.otf")])
         .then(([regular, semibold]) => this.#program.call("page_letters", regular, semibold))
         .catch(() => this.#publisher.notice("Some letters cannot be shown: the server cannot be reached.", true)),
     );

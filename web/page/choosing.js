@@ -1,10 +1,11 @@
 // Chooses the teams of a large object in a worker during a drag, so that frames stay short. The program asks for one
 // document after another, each once the one before is answered (wasm/derive/elsewhere.h).
+import { Core } from "./core.js";
 import { begin, end } from "./work.js";
 
 // `call` calls the program. Returns the function that asks for a choice.
 export function createChoosing(call) {
-  let worker;
+  let core;
   let asked = 0; // the document whose choice is awaited, or 0
   let busy = false; // the worker places a document, perhaps one that is no longer awaited
   let next; // the document that the worker gets then
@@ -16,44 +17,27 @@ export function createChoosing(call) {
     call(name, number, ...choice);
   }
 
-  function fail() {
-    worker?.terminate();
-    worker = next = undefined;
-    busy = false;
-    answer("page_choice_failed", asked);
-  }
-
-  function send() {
-    const message = next;
-    next = undefined;
+  async function work() {
     busy = true;
-    worker.postMessage(message, [message.rings.buffer]);
-  }
-
-  function startWorker() {
-    const started = new Worker(new URL("choosing_worker.js", import.meta.url), { type: "module" });
-    started.addEventListener("message", ({ data: { number, choice } }) => {
-      if (!choice) return fail();
-      busy = false;
-      if (next) send();
-      answer("page_take_choice", number, choice);
-    });
-    started.addEventListener("error", (event) => {
-      event.preventDefault();
-      fail();
-    });
-    return started;
+    try {
+      while (next) {
+        const { number, rings, settings } = next;
+        next = undefined;
+        if (!core || core.ended) core = new Core();
+        const choice = await core.ask({ command: "choose", settings }, { numbers: rings });
+        answer("page_take_choice", number, new Uint8Array(choice.buffer));
+      }
+    } catch {
+      next = undefined;
+      answer("page_choice_failed", asked);
+    }
+    busy = false;
   }
 
   return (number, rings, settings) => {
     if (!asked) begin();
     asked = number;
-    next = { number, rings, settings };
-    try {
-      worker ??= startWorker();
-      if (!busy) send();
-    } catch {
-      fail();
-    }
+    next = { number, rings: new Float64Array(rings.buffer), settings };
+    if (!busy) work();
   };
 }

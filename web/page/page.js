@@ -4,12 +4,11 @@ import { createApi } from "./api.js";
 import { Bindings } from "./bindings.js";
 import { connectInput } from "./input.js";
 import { speak } from "./language.js";
-import { Program } from "./program.js";
+import { loadProgram, NotLoaded } from "./program.js";
 import { Publisher } from "./publisher.js";
 import { beginStart, prepareRestart, whyStartedAnew, workGoesOn } from "./recovery.js";
 import { connectScreen } from "./screen.js";
 import { lasting, read } from "./storage.js";
-import { createProgram, NotLoaded } from "./two_modules.js";
 import { underWay } from "./under_way.js";
 
 const cover = document.getElementById("cover");
@@ -75,14 +74,10 @@ function refused(problem) {
 }
 
 async function load(bindings) {
-  const { module, loadRest } = await createProgram({ canvas: document.getElementById("canvas"), bindings });
-  const program = new Program(module);
+  const program = await loadProgram({ canvas: document.getElementById("canvas"), bindings });
   program.speak(translations());
-  const whole = () => underWay(loadRest());
-  bindings.attach(program, whole);
-  // All of a page that the browser keeps is here at once, and a call that waits for the rest would ask the network.
-  if (navigator.serviceWorker?.controller) await whole();
-  return { program, whole };
+  bindings.attach(program);
+  return program;
 }
 
 // Loaded after the first frame, which does not need the controls in HTML. Returns the function to call after each
@@ -178,9 +173,8 @@ async function start() {
     opening = "";
   });
   let opening = "";
-  const { program, whole } = await load(bindings);
+  const program = await load(bindings);
   if (!program.number("page_draws")) {
-    await whole();
     hasBegun = true;
     afterPicture = await startStill(program, publisher, bindings);
     cover.classList.add("done");
@@ -191,17 +185,13 @@ async function start() {
   const lesson = lessonLinkIn(location.hash);
   const asked = { ...kept, fragment: kept.own ? "" : fragment, lesson };
   started = embed ? asked : await beginStart(asked);
-  // Their first calls need all of the program. Only a link has a step, for the walkthrough.
-  const hasStep = (text) => text && program.text("page_without_step", text) !== text;
-  const walks = hasStep(started.fragment) || hasStep(started.work);
-  if (challenge || askedLesson || place || started.drawing || walks) await whole();
   const stopped = new Promise((_, fail) => {
     program.onStop = fail;
   });
   stopped.catch(() => {});
   // For exceptions in SDL's own event handlers, which call the program.
   addEventListener("error", ({ error }) => {
-    if (error instanceof WebAssembly.RuntimeError || error instanceof NotLoaded) program.stop(error);
+    if (error instanceof WebAssembly.RuntimeError) program.stop(error);
   });
   if (!embed && kept.work !== started.work) publisher.forget(kept.work);
   api.connect(program, (name) => publisher.nameLesson(name));
@@ -243,15 +233,9 @@ async function start() {
   };
   program.onStop = (error) => {
     const work = publisher.stop();
-    if (missingPart(error)) fail(error);
-    else startAnew(error, { opening, work });
+    startAnew(error, { opening, work });
   };
   const isTouched = firstTouch();
-  await whole().catch((error) => {
-    publisher.flush();
-    program.stop(error);
-  });
-  if (program.stopped) return;
   underWay(loadMirror(program, field, publisher)).then(
     (drawn) => {
       afterPicture = drawn;
@@ -280,15 +264,11 @@ function startAnew(error, { opening, work }) {
   }
 }
 
-const missingPart = (error) => [error, error.cause].find((reason) => reason instanceof NotLoaded);
-
 function fail(error) {
-  const missing = missingPart(error);
-  if (missing) {
-    console.error(missing);
-    started?.succeeded?.(); // its document did not stop the page
-    showProblem(missing.message, isIncomplete);
-    return api.fail(missing);
+  if (error instanceof NotLoaded) {
+    console.error(error);
+    showProblem(error.message, isIncomplete);
+    return api.fail(error);
   }
   if (started?.failed?.()) {
     console.error(error);

@@ -1,7 +1,42 @@
-// Calls the program: texts, bytes and numbers in; texts, JSON and numbers out.
+// Loads and calls the program: texts, bytes and numbers in; texts, JSON and numbers out.
 
 // These open a text.
 const opening = ["page_load", "page_open_link", "page_open_sample", "page_open_lesson"];
+
+// A file did not arrive, or the files are of different versions; the cause says more.
+export class NotLoaded extends Error {
+  constructor(cause) {
+    super("A part of the page did not arrive.", { cause });
+  }
+}
+
+async function compile(name) {
+  const answer = await fetch(name);
+  if (!answer.ok) throw new Error(`${name}: ${answer.status}`);
+  // Some servers do not know this type.
+  if (answer.headers.get("Content-Type") === "application/wasm") return WebAssembly.compileStreaming(answer);
+  return WebAssembly.compile(await answer.arrayBuffer());
+}
+
+// After a new version was published, the browser may have kept some files of the old one. Makes it take all anew.
+async function notLoaded(cause) {
+  await Promise.allSettled(["page.js", "evenlift.js", "evenlift.wasm"].map((name) => fetch(name, { cache: "reload" })));
+  throw new NotLoaded(cause);
+}
+
+export async function loadProgram(options) {
+  const files = Promise.all([import("./evenlift.js"), compile("evenlift.wasm")]);
+  const [{ default: createModule }, compiled] = await files.catch(notLoaded);
+  const module = await new Promise((done, fail) => {
+    const instantiateWasm = (given, receive) => {
+      const instance = WebAssembly.instantiate(compiled, given).catch(notLoaded);
+      instance.then((ready) => receive(ready, compiled)).catch(fail);
+      return {};
+    };
+    createModule({ ...options, instantiateWasm }).then(done, fail);
+  });
+  return new Program(module);
+}
 
 export class Program {
   #module;
@@ -53,12 +88,6 @@ export class Program {
     return this.#module.UTF8ToString(this.call(name, ...args));
   }
 
-  // A copy of the bytes at the returned address.
-  bytes(name, size) {
-    const at = this.call(name);
-    return this.#module.HEAPU8.slice(at, at + size);
-  }
-
   json(name, ...args) {
     const text = this.text(name, ...args);
     return text ? JSON.parse(text) : null;
@@ -66,8 +95,7 @@ export class Program {
 
   // From now on the module says these words, [English, translated].
   speak(words) {
-    if (this.#module._words_translate)
-      for (const [english, translated] of words) this.call("words_translate", english, translated);
+    for (const [english, translated] of words) this.call("words_translate", english, translated);
   }
 
   get stopped() {

@@ -1,7 +1,7 @@
 // Opens texts, files and links from outside. Functions that open something return why it was refused, or undefined.
 import { closeWindows, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, number } from "../kit/elements.js";
-import { readShapes } from "../kit/import.js";
+import { readShapes, textOf } from "../kit/import.js";
 import { lowered, say, translated } from "../words/words.js";
 import { nameOpened, openedName, stemOf } from "./document_name.js";
 import { openLessonText, openLinkedLesson } from "../lessons/lesson_source.js";
@@ -63,7 +63,7 @@ function chooseShape(page, source, found, tolerance) {
 // `said` is added to the notice; the window of shapes shows it itself.
 function openShape(page, source, shape, found, said = []) {
   const { what, how, name } = source;
-  const problem = page.program.text(how, shape.text(how === "page_load"));
+  const problem = page.program.text(how, textOf(shape, how === "page_load"));
   if (problem) return problem;
   nameOpened(page.program, name);
   const within = lengthInWords(shape.tolerance, found);

@@ -1,8 +1,8 @@
-// Compares the greedy choice of teams with the optimum. A worker computes it (wasm/modules/optimum_api.cpp), nearly
+// Compares the greedy choice of teams with the optimum. A worker computes it (wasm/modules/optimum.cpp), nearly
 // always in less than a second.
-import { askWorker } from "../experiment/worker_pool.js";
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { el } from "../kit/elements.js";
+import { askOnce } from "../page/core.js";
 import { say } from "../words/words.js";
 
 // Far more than needed if the optimum can be found at all, so that a busy machine gives the same answer. Closing the
@@ -60,9 +60,7 @@ export async function show(page) {
   try {
     if (!link)
       throw new Error(say("this polygon has no link: {problem}", { problem: program.text("page_link_problem") }));
-    const { found: compared, pictures } = await askWorker("optimum", { link, seconds }, stop.signal);
-    if (compared.problem) throw new Error(compared.problem);
-    const { rows, said } = compared;
+    const { rows, said, pictures } = await askOnce({ command: "optimum", link, seconds }, stop.signal);
     found.replaceChildren(
       el("div", { class: "pair" }, ...pictures.map((svg, i) => picture(svg, rows[i][0], urls))),
       table(rows),

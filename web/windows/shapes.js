@@ -11,9 +11,9 @@ const height = 64;
 const atOnce = 100; // shapes before "Show more"
 
 function picture(shape) {
-  const outline = shape.outline();
+  const { outline, holes } = shape;
   const place = fitted(outline, width, height, 4);
-  const rings = [outline, ...shape.holes()].map((ring) => ring.map(place));
+  const rings = [outline, ...holes].map((ring) => ring.map(place));
   return svgEl(
     "svg",
     { viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" },
@@ -22,10 +22,9 @@ function picture(shape) {
 }
 
 // Only if some lines close no shape: they are pale and dashed, beside the offered shapes.
-function wholeDrawing({ leftOpen, shapes }) {
-  const lines = leftOpen();
+function wholeDrawing({ leftOpen: lines, shapes }) {
   if (lines.length === 0) return [];
-  const offered = shapes.slice(0, atOnce).map((shape) => [shape.outline(), ...shape.holes()]);
+  const offered = shapes.slice(0, atOnce).map(({ outline, holes }) => [outline, ...holes]);
   const [wide, high] = [420, 160];
   const place = fitted([...offered.flat(), ...lines].flat(), wide, high, 4);
   const drawn = (all) => all.map((points) => points.map(place));
@@ -46,7 +45,7 @@ function largest(shapes) {
     [0, 1]
       .map((axis) => points.map((point) => point[axis]))
       .map((all) => all.reduce((a, b) => Math.max(a, b)) - all.reduce((a, b) => Math.min(a, b)));
-  const areas = shapes.map((shape) => size(shape.outline()).reduce((a, b) => a * b));
+  const areas = shapes.map((shape) => size(shape.outline).reduce((a, b) => a * b));
   return areas.indexOf(areas.reduce((a, b) => Math.max(a, b)));
 }
 

@@ -1,15 +1,14 @@
 #include "request/read_request.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
 #include "evenlift/numbers.h"
-#include "evenlift/request.h"
 #include "evenlift/settings.h"
 #include "evenlift/similar_setting.h"
-#include "numbers/json_tree.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {
@@ -19,38 +18,45 @@ using Kind = JsonTree::Kind;
 using Index = JsonTree::Index;
 using Problem = std::optional<InputError>;
 
+using Names = RequestKind::Names;
+
 // `members` are allowed next to "command".
 struct CommandEntry {
   std::string_view name;
   Command command;
-  std::string_view members;  // each between spaces
+  Names members;
 };
 constexpr CommandEntry commands[] = {
-    {"place", Command::place,
-     " polygon holes text centre_of_mass settings candidates failures even_out require "},
-    {"candidates", Command::candidates, " polygon holes text centre_of_mass settings "},
-    {"svg", Command::svg, " polygon holes text centre_of_mass settings candidates "},
-    {"poses", Command::poses, " polygon holes text centre_of_mass settings format frame origin "},
-    {"link", Command::link, " polygon holes text centre_of_mass settings "},
-    {"experiment", Command::experiment, " polygons settings "},
-    {"version", Command::version, " "},
+    {"place",
+     Command::place,
+     {"polygon", "holes", "text", "centre_of_mass", "settings", "candidates", "failures",
+      "even_out", "require"}},
+    {"candidates", Command::candidates, {"polygon", "holes", "text", "centre_of_mass", "settings"}},
+    {"svg",
+     Command::svg,
+     {"polygon", "holes", "text", "centre_of_mass", "settings", "candidates"}},
+    {"poses",
+     Command::poses,
+     {"polygon", "holes", "text", "centre_of_mass", "settings", "format", "frame", "origin"}},
+    {"link", Command::link, {"polygon", "holes", "text", "centre_of_mass", "settings"}},
+    {"experiment", Command::experiment, {"polygons", "settings"}},
+    {"version", Command::version, {}},
 };
 constexpr const char* command_names =
     "the command must be place, candidates, svg, poses, link, experiment or version";
-constexpr std::string_view polygon_members = " name set polygon holes text centre_of_mass ";
 
 class Reader {
  public:
   Reader(std::string_view text, const JsonTree& tree) : text_(text), tree_(tree) {}
 
-  Result<Request> read();
+  Result<Request> read() const;
+  Problem check_members(Index object, const Names& allowed) const;
 
  private:
   InputError error(Index at, std::string message, ErrorCode code = ErrorCode::bad_syntax) const {
     return text_error(code, std::move(message), text_, tree_.offset(at));
   }
-  Problem check_members(Index object, std::string_view allowed) const;
-  Problem take_command(Request& request, std::string_view& allowed) const;
+  Problem take_command(Request& request, Names& allowed) const;
   Problem take_members(Index object, Request& request) const;
   Problem take_pose_options(Index object, Request& request) const;
 
@@ -108,11 +114,13 @@ Result<std::string> Reader::string(Index at, const char* what) const {
   return std::string(tree_.text(at));
 }
 
-Problem Reader::check_members(Index object, std::string_view allowed) const {
+Problem Reader::check_members(Index object, const Names& allowed) const {
   for (Index i = tree_.first(object); i != tree_.end(object); i = tree_.next(i)) {
     const std::string name(tree_.name(i));
-    const bool is_word = name.find(' ') == std::string::npos && !name.empty();
-    if (!is_word || allowed.find(" " + name + " ") == std::string_view::npos)
+    const bool is_command = object == tree_.root() && name == "command";
+    const bool is_allowed =
+        !name.empty() && std::find(allowed.begin(), allowed.end(), name) != allowed.end();
+    if (!is_command && !is_allowed)
       return error(i, "there is no member \"" + name + "\" here", ErrorCode::unsupported);
     if (tree_.member(object, name) != i)
       return error(i, "the member \"" + name + "\" is given twice");
@@ -252,7 +260,7 @@ Problem Reader::take_settings(Index object, Document& document) const {
 Result<Cargo> Reader::cargo_item(Index at) const {
   if (tree_.kind(at) != Kind::object)
     return error(at, "each item of cargo must be an object with \"at\" and \"weight\"");
-  if (auto wrong = check_members(at, " at weight name ")) return *std::move(wrong);
+  if (auto wrong = check_members(at, {"at", "weight", "name"})) return *std::move(wrong);
   Cargo item;
   const auto place = tree_.member(at, "at"), weight = tree_.member(at, "weight"),
              name = tree_.member(at, "name");
@@ -314,7 +322,7 @@ Problem Reader::take_polygons(Request& request) const {
     if (request.polygons.size() == max_request_polygons)
       return error(i, "there are more than 10000 polygons", ErrorCode::unsupported);
     if (tree_.kind(i) != Kind::object) return error(i, "each of \"polygons\" must be an object");
-    if (auto wrong = check_members(i, polygon_members)) return wrong;
+    if (auto wrong = check_members(i, {"name", "set", "polygon", "holes", "text", "centre_of_mass"})) return wrong;
     NamedPolygon polygon{"polygons", "polygon " + std::to_string(request.polygons.size() + 1),
                          document(i)};
     for (const auto& [member, into] :
@@ -334,7 +342,7 @@ Problem Reader::take_experiment_settings(Request& request) const {
   if (!settings) return std::nullopt;
   if (tree_.kind(*settings) != Kind::object)
     return error(*settings, "\"settings\" must be an object");
-  if (auto wrong = check_members(*settings, " min_ratio samples max_teams max_balanced "))
+  if (auto wrong = check_members(*settings, {"min_ratio", "samples", "max_teams", "max_balanced"}))
     return wrong;
   experiment::ExperimentSettings& given = request.experiment;
   if (const auto at = tree_.member(*settings, "min_ratio"))
@@ -351,7 +359,7 @@ Problem Reader::take_experiment_settings(Request& request) const {
 
 // --- The whole request
 
-Problem Reader::take_command(Request& request, std::string_view& allowed) const {
+Problem Reader::take_command(Request& request, Names& allowed) const {
   const auto at = tree_.member(0, "command");
   const std::string name = at ? value_text(*at) : "place";
   for (const CommandEntry& entry : commands) {
@@ -381,12 +389,11 @@ Problem Reader::take_members(Index object, Request& request) const {
   return take_pose_options(object, request);
 }
 
-Result<Request> Reader::read() {
-  if (tree_.kind(tree_.root()) != Kind::object) return error(0, "a request must be a JSON object");
+Result<Request> Reader::read() const {
   Request request;
-  std::string_view allowed;
+  Names allowed;
   if (auto wrong = take_command(request, allowed)) return *std::move(wrong);
-  if (auto wrong = check_members(0, std::string(" command") + std::string(allowed)))
+  if (auto wrong = check_members(0, allowed))
     return *std::move(wrong);
   if (request.command == Command::version) return request;
   if (request.command == Command::experiment) {
@@ -400,12 +407,58 @@ Result<Request> Reader::read() {
 
 }  // namespace
 
-Result<Request> read_request(std::string_view text) {
-  if (text.size() > max_request_bytes)
+Result<RequestReader> RequestReader::read(std::string_view text, std::size_t most) {
+  if (text.size() > most)
     return InputError{ErrorCode::text_too_long, "the request is longer than 64 MiB", {}};
-  const Result<JsonTree> tree = JsonTree::read(text);
+  Result<JsonTree> tree = JsonTree::read(text);
   if (!tree) return tree.error();
-  return Reader(text, *tree).read();
+  if (tree->kind(tree->root()) != Kind::object)
+    return text_error(ErrorCode::bad_syntax, "a request must be a JSON object", text,
+                      tree->offset(tree->root()));
+  return RequestReader(text, std::move(tree).value());
+}
+
+const RequestKind* RequestReader::kind_among(std::span<const RequestKind> kinds) const {
+  const auto command = tree_.member(0, "command");
+  for (const RequestKind& kind : kinds)
+    if (tree_.is_string(command, kind.command)) return &kind;
+  return nullptr;
+}
+
+std::optional<InputError> RequestReader::check_members(const RequestKind::Names& allowed) const {
+  return Reader(text_, tree_).check_members(0, allowed);
+}
+
+Result<Request> RequestReader::request() const { return Reader(text_, tree_).read(); }
+
+std::string RequestReader::text(std::string_view name) const {
+  const auto at = tree_.member(0, name);
+  return at && tree_.kind(*at) == Kind::string ? std::string(tree_.text(*at)) : std::string();
+}
+
+double RequestReader::number(std::string_view name) const {
+  const auto at = tree_.member(0, name);
+  return at && tree_.kind(*at) == Kind::number ? tree_.number(*at)
+                                                    : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<std::string> RequestReader::texts(std::string_view name) const {
+  std::vector<std::string> texts;
+  const auto at = tree_.member(0, name);
+  if (!at || tree_.kind(*at) != Kind::array) return texts;
+  for (Index i = tree_.first(*at); i != tree_.end(*at); i = tree_.next(i))
+    if (tree_.kind(i) == Kind::string) texts.emplace_back(tree_.text(i));
+  return texts;
+}
+
+std::vector<std::pair<std::string, std::string>> RequestReader::named_texts(
+    std::string_view name) const {
+  std::vector<std::pair<std::string, std::string>> texts;
+  const auto at = tree_.member(0, name);
+  if (!at || tree_.kind(*at) != Kind::object) return texts;
+  for (Index i = tree_.first(*at); i != tree_.end(*at); i = tree_.next(i))
+    if (tree_.kind(i) == Kind::string) texts.emplace_back(tree_.name(i), tree_.text(i));
+  return texts;
 }
 
 }  // namespace evenlift

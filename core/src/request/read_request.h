@@ -3,15 +3,19 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "evenlift/document.h"
 #include "evenlift/experiment/measure.h"
 #include "evenlift/output/poses.h"
 #include "evenlift/output/requirements.h"
+#include "evenlift/request.h"
 #include "evenlift/result.h"
+#include "numbers/json_tree.h"
 
 namespace evenlift {
 
@@ -35,8 +39,30 @@ struct Request {
   experiment::ExperimentSettings experiment;
 };
 
-// Members that the command does not have are errors, so that no mistyped name goes unnoticed. The
-// geometry is not checked. O(bytes).
-Result<Request> read_request(std::string_view text);
+// A request as JSON. Members that the command does not have are errors, so that no mistyped name
+// goes unnoticed.
+class RequestReader final : public RequestMembers {
+ public:
+  // The text, of at most so many bytes, must outlive the reader. O(bytes).
+  static Result<RequestReader> read(std::string_view text, std::size_t most = max_request_bytes);
+
+  // The kind that the command names; null if it is none of these. O(kinds).
+  const RequestKind* kind_among(std::span<const RequestKind> kinds) const;
+  std::optional<InputError> check_members(const RequestKind::Names& allowed) const;
+  // The request of any other command. The geometry is not checked. O(bytes).
+  Result<Request> request() const;
+
+  std::string text(std::string_view name) const override;
+  double number(std::string_view name) const override;
+  std::vector<std::string> texts(std::string_view name) const override;
+  std::vector<std::pair<std::string, std::string>> named_texts(
+      std::string_view name) const override;
+
+ private:
+  RequestReader(std::string_view text, JsonTree tree) : text_(text), tree_(std::move(tree)) {}
+
+  std::string_view text_;
+  JsonTree tree_;
+};
 
 }  // namespace evenlift

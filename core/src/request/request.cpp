@@ -95,8 +95,18 @@ std::string experiment_answer(const Request& request) {
 
 }  // namespace
 
-std::string answer(std::string_view request) {
-  const Result<Request> read = read_request(request);
+std::string answer(std::string_view request) { return answer(request, {}); }
+
+std::string answer(std::string_view request, std::span<const RequestKind> kinds) {
+  // In JSON, a text of a file is longer than the file, which may have max_text_bytes.
+  const std::size_t most = kinds.empty() ? max_request_bytes : 2 * max_request_bytes;
+  const Result<RequestReader> reader = RequestReader::read(request, most);
+  if (!reader) return error_answer(reader.error());
+  if (const RequestKind* const kind = reader->kind_among(kinds)) {
+    const auto wrong = reader->check_members(kind->members);
+    return wrong ? error_answer(*wrong) : kind->answer(*reader) + "\n";
+  }
+  const Result<Request> read = reader->request();
   if (!read) return error_answer(read.error());
   switch (read->command) {
     case Command::place:

@@ -1,7 +1,4 @@
-// Returns steps of the algorithm as JSON for a printed page (web/lessons/handout.js). A separate
-// WebAssembly module, loaded on first use.
-#include <emscripten/emscripten.h>
-
+// Steps of the algorithm for a printed page (web/lessons/handout.js).
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -20,12 +17,9 @@
 #include "evenlift/trace.h"
 #include "evenlift/wording.h"
 #include "modules/handout_paper.h"
-#include "page/hand_over.h"
+#include "modules/kinds.h"
 
-namespace evenlift {
-
-using view::hand_over;
-
+namespace evenlift::view {
 namespace {
 
 // More would be neither printed nor visible.
@@ -139,15 +133,29 @@ std::string holes_json(const Paper& paper, const Placement& placement) {
   return json::array(holes);
 }
 
-std::string handout(std::string_view link, std::string_view lesson_text) {
-  const Result<Document> document = decode_link(link);
+}  // namespace
+
+// Returns the steps of this lesson for a link's document; without a lesson, the main steps. Places
+// are on the paper:
+//   width, height, disc     of a picture; `disc` is a robot's radius
+//   polygon, holes, centre
+//   cargo                   for each weight: at, radius of its disc
+//   own_centre              of the object without its cargo
+//   steps                   chapter, caption, formula, in_words (the teacher's), and the picture:
+//     base, candidates, teams   known at this step
+//     figures                   kind, number, points, and `value`, such as a radius
+//     robots, words             known at this step: number or text, at
+//   question, answer        of a lesson that has them
+//   problem                 a sentence, instead of all the above
+std::string handout(const RequestMembers& members) {
+  const Result<Document> document = decode_link(members.text("link"));
   if (!document) return problem(document.error());
   const Result<Placement> placement = place(*document);
   if (!placement) return problem(placement.error());
   const Result<Trace> trace = make_trace(*placement, HistoryLength::whole, document->shown.units);
   if (!trace) return problem(trace.error());
   const Paper paper(shown_points(*placement));
-  const Result<Lesson> lesson = parse_lesson(lesson_text);
+  const Result<Lesson> lesson = parse_lesson(members.text("lesson"));
   std::vector<std::string> steps;
   for (const Stop& stop : stops_of(*trace, lesson)) steps.push_back(step_json(paper, *trace, stop));
   const bool asks = lesson && !lesson->question.empty();
@@ -164,25 +172,4 @@ std::string handout(std::string_view link, std::string_view lesson_text) {
                        {"answer", json::text(asks ? lesson->answer : "")}});
 }
 
-}  // namespace
-}  // namespace evenlift
-
-extern "C" {
-
-// Returns the steps of this lesson for a link's document; without a lesson, the main steps. Places
-// are on the paper:
-//   width, height, disc     of a picture; `disc` is a robot's radius
-//   polygon, holes, centre
-//   cargo                   for each weight: at, radius of its disc
-//   own_centre              of the object without its cargo
-//   steps                   chapter, caption, formula, in_words (the teacher's), and the picture:
-//     base, candidates, teams   known at this step
-//     figures                   kind, number, points, and `value`, such as a radius
-//     robots, words             known at this step: number or text, at
-//   question, answer        of a lesson that has them
-//   problem                 a sentence, instead of all the above
-EMSCRIPTEN_KEEPALIVE const char* handout_steps(const char* link, const char* lesson) {
-  return evenlift::hand_over(evenlift::handout(link, lesson));
-}
-
-}  // extern "C"
+}  // namespace evenlift::view

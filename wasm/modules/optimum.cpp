@@ -1,7 +1,4 @@
-// Compares the greedy choice of teams with the best one (web/windows/optimum.js). Part of the
-// experiment's module, which runs in a worker.
-#include <emscripten/emscripten.h>
-
+// Compares the greedy choice of teams with the best one.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -18,12 +15,9 @@
 #include "evenlift/output/words.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/wording.h"
-#include "page/hand_over.h"
+#include "modules/kinds.h"
 
-namespace evenlift {
-
-using view::hand_over;
-
+namespace evenlift::view {
 namespace {
 
 struct Compared {
@@ -33,11 +27,6 @@ struct Compared {
   double seconds = 0;    // the time limit
   bool stopped = false;  // the time ran out
 };
-std::optional<Compared>& last() {
-  static std::optional<Compared> compared;
-  return compared;
-}
-
 std::string problem(std::string_view text) {
   return json::object({{"problem", json::text(translated(text))}});
 }
@@ -54,9 +43,9 @@ Document with_teams(Document document) {
 }
 
 Compared compare(const Placement& greedy, const Shown& shown, double seconds) {
-  const double end = emscripten_get_now() + 1000 * seconds;
+  const double end = now() + 1000 * seconds;
   bool stopped = false;
-  const Stop stop = [&] { return stopped = stopped || emscripten_get_now() >= end; };
+  const Stop stop = [&] { return stopped = stopped || now() >= end; };
   Optimum optimum =
       widest_choice(greedy.object, greedy.centre_of_mass, greedy.candidates, greedy.requested_teams,
                     greedy.team_candidates, stop, greedy.stands.get());
@@ -137,38 +126,23 @@ std::string as_json(const Compared& compared, Method asked, const std::string& b
       {{"rows",
         json::array({row(say("Greedy, by {metric}", {method}), {greedy, shown}),
                      row(say(proved ? "The optimum" : "The best found"), {compared.best, shown})})},
-       {"said", json::array(said)}});
+       {"said", json::array(said)},
+       {"pictures", json::array({json::text(placement_sketch({greedy, shown})),
+                                 json::text(placement_sketch({compared.best, shown}))})}});
 }
 
 }  // namespace
-}  // namespace evenlift
 
-extern "C" {
-
-// Compares the teams of a link with the best choice of the same number, within this time. Returns
-// {"rows", "said"}: rows of name, coverage, loads, form closure and chosen candidates; and
-// sentences. Or returns {"problem"}: why there is nothing to compare.
-EMSCRIPTEN_KEEPALIVE const char* optimum_compare(const char* link, double seconds) {
-  using namespace evenlift;
-  last().reset();
-  const Result<Document> document = decode_link(link);
-  if (!document) return hand_over(problem(document.error().message));
+std::string optimum(const RequestMembers& members) {
+  const Result<Document> document = decode_link(members.text("link"));
+  if (!document) return problem(document.error().message);
   const Document in_teams = with_teams(*document);
   const Result<Placement> greedy = place(in_teams);
-  if (!greedy) return hand_over(problem(sentence(greedy.error())));
+  if (!greedy) return problem(sentence(greedy.error()));
   if (greedy->teams.empty())
-    return hand_over(problem("no chord through the centre of mass meets the minimum load ratio"));
-  last() = compare(*greedy, document->shown, seconds);
-  return hand_over(as_json(*last(), document->settings.method, balanced_beside(in_teams, *last())));
+    return problem("no chord through the centre of mass meets the minimum load ratio");
+  const Compared compared = compare(*greedy, document->shown, members.number("seconds"));
+  return as_json(compared, document->settings.method, balanced_beside(in_teams, compared));
 }
 
-// The greedy choice, or the best one, as SVG; empty unless optimum_compare() returned rows.
-EMSCRIPTEN_KEEPALIVE const char* optimum_picture(int best) {
-  using namespace evenlift;
-  const std::optional<Compared>& compared = last();
-  if (!compared) return hand_over({});
-  return hand_over(
-      placement_sketch({best != 0 ? compared->best : compared->greedy, compared->shown}));
-}
-
-}  // extern "C"
+}  // namespace evenlift::view
