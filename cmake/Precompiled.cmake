@@ -14,9 +14,14 @@ function(evenlift_precompile target)
     ${ARGN})
 endfunction()
 
-# A large library is also compiled eight files at a time, so the names in their unnamed namespaces must differ.
+# A large library is also compiled many files at a time, so the names in their unnamed namespaces must differ: eight
+# natively, where one changed file should not mean much to compile, and 48 for WebAssembly.
 function(evenlift_compile_together)
   if(EVENLIFT_UNITY)
-    set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set(files 8)
+    if(EMSCRIPTEN)
+      set(files 48)
+    endif()
+    set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${files})
   endif()
 endfunction()

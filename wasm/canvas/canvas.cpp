@@ -126,7 +126,7 @@ void draw_shape(const Painter& painter, const CanvasView& view, const Shape& sha
 }
 
 // The hovered candidate or team while teams may stand anywhere in their ranges.
-std::optional<Chord> pointed_chord(const CanvasView& view) {
+std::optional<Chord> chord_in_its_range(const CanvasView& view) {
   const Pick named = view.state.view.held.kind == Pick::Kind::robot ? view.state.view.held
                                                                     : marked_part(view.state);
   const Placement& placement = *view.placement;
@@ -136,7 +136,7 @@ std::optional<Chord> pointed_chord(const CanvasView& view) {
 
 // The robots' ranges: a soft double wedge from C to both edges.
 void draw_range(const Painter& painter, const CanvasView& view) {
-  const std::optional<Chord> chord = pointed_chord(view);
+  const std::optional<Chord> chord = chord_in_its_range(view);
   if (!chord) return;
   const Placement& placement = *view.placement;
   const Vec2& c = placement.centre_of_mass;

@@ -51,7 +51,7 @@ SetPolygon scaled(const AppState& state, const PolygonGrip& grip, const Vec2& ab
   });
 }
 
-constexpr double beyond = 30;  // pixels from polygon to frame
+constexpr double gap_to_frame = 30;  // pixels from polygon to frame
 
 Vec2 knob_place(const AppState& state, const Rect& frame) {
   constexpr double stalk = 28;
@@ -79,7 +79,7 @@ Vec2 opposite_corner(const Box& box, FrameGrip grip) {
 Rect transform_frame(const AppState& state) {
   const Box box = bounding_box(state.work.document().vertices);
   const Vec2 a = state.view.camera.to_screen(box.low), b = state.view.camera.to_screen(box.high);
-  return {a.x - beyond, b.y - beyond, b.x + beyond, a.y + beyond};
+  return {a.x - gap_to_frame, b.y - gap_to_frame, b.x + gap_to_frame, a.y + gap_to_frame};
 }
 
 Transformed since_grip(const AppState& state) {
@@ -101,10 +101,10 @@ Points turned_frame(const AppState& state) {
              high = state.view.camera.to_screen(box.high);
   const double angle = since_grip(state).degrees * pi / 180, c = std::cos(angle),
                s = std::sin(angle);
-  Points corners{{low.x - beyond, high.y - beyond},
-                 {high.x + beyond, high.y - beyond},
-                 {high.x + beyond, low.y + beyond},
-                 {low.x - beyond, low.y + beyond}};
+  Points corners{{low.x - gap_to_frame, high.y - gap_to_frame},
+                 {high.x + gap_to_frame, high.y - gap_to_frame},
+                 {high.x + gap_to_frame, low.y + gap_to_frame},
+                 {low.x - gap_to_frame, low.y + gap_to_frame}};
   for (Vec2& corner : corners) {
     const Vec2 d = corner - about;  // y points down, so the direction is reversed
     corner = about + Vec2(d.x * c + d.y * s, d.y * c - d.x * s);

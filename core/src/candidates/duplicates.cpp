@@ -15,7 +15,7 @@ namespace evenlift {
 namespace {
 
 using Index = std::uint32_t;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_bound = std::numeric_limits<double>::infinity();
 constexpr double full_turn = 4;  // of line_pseudo_angle, which repeats after 180 degrees
 
 // Sorts [first, last) by `key`, cuts it where the key jumps by more than `gap`, and visits the
@@ -75,8 +75,8 @@ class Merger {
   void split_by_slope() {
     const auto m = static_cast<Index>(candidates_.size());
     // lowest[i] is the lowest slope of candidate i and all after it.
-    std::vector<double> lowest(m + std::size_t{1}, infinity);
-    double top = -infinity;
+    std::vector<double> lowest(m + std::size_t{1}, no_bound);
+    double top = -no_bound;
     for (Index i = m; i-- > 0;) {
       const Slopes s = slopes(i);
       lowest[i] = std::min(lowest[i + 1], s.low);
@@ -86,7 +86,7 @@ class Merger {
     // all groups that reach around the end are merged.
     const double around_low = top - full_turn, around_high = lowest[0] + full_turn;
     std::vector<Index> group, around;
-    double highest = -infinity;
+    double highest = -no_bound;
     bool reaches_around = false;
     for (Index i = 0; i < m; ++i) {
       const Slopes s = slopes(i);

@@ -17,7 +17,7 @@ namespace {
 
 // The unsorted candidates, the best of each source first. Until the end, a candidate's `source` is
 // its number here.
-struct Found {
+struct FoundStanding {
   struct Origin {
     std::uint32_t source;
     bool in_range;  // from positions anywhere in the range
@@ -44,7 +44,7 @@ struct Wanted {
   FromCorners from_corners;
 };
 
-void add_pair(const Wanted& wanted, const EdgePair& pair, Found& found) {
+void add_pair(const Wanted& wanted, const EdgePair& pair, FoundStanding& found) {
   const auto& [polygon, centre, min_ratio, stands, positions, near, from_corners] = wanted;
   found.add(standing_chords(polygon, stands, centre, pair, min_ratio), found.sources, false);
   if (positions != Positions::range) return;
@@ -56,7 +56,7 @@ void add_pair(const Wanted& wanted, const EdgePair& pair, Found& found) {
 }
 
 // For hands without depth: the edge pairs and opposite vertices of the polygon.
-std::optional<InputError> find_on_outline(const Wanted& wanted, Found& found) {
+std::optional<InputError> find_on_outline(const Wanted& wanted, FoundStanding& found) {
   const auto& [polygon, centre, min_ratio, stands, positions, near, from_corners] = wanted;
   const RadialView view(polygon, centre);
   const std::uint64_t pairs = count_edge_pairs(polygon, view);
@@ -104,7 +104,7 @@ std::uint32_t number_of_pair(const std::vector<NumberedPair>& pairs, std::uint32
 }
 
 void add_lines(const Wanted& wanted, const StandLine& a, const StandLine& b, std::uint32_t source,
-               Found& found) {
+               FoundStanding& found) {
   const auto& [polygon, centre, min_ratio, stands, positions, near, from_corners] = wanted;
   found.add(standing_chords(stands, centre, a, b, min_ratio, near), source, false);
   if (positions == Positions::range)
@@ -112,7 +112,7 @@ void add_lines(const Wanted& wanted, const StandLine& a, const StandLine& b, std
 }
 
 // For hands with depth: the edges, moved inward.
-std::optional<InputError> find_on_moved_edges(const Wanted& wanted, Found& found) {
+std::optional<InputError> find_on_moved_edges(const Wanted& wanted, FoundStanding& found) {
   const Polygon& polygon = wanted.polygon;
   const Vec2& centre = wanted.centre;
   const RadialView view(polygon, centre);
@@ -135,7 +135,7 @@ std::optional<InputError> find_on_moved_edges(const Wanted& wanted, Found& found
   return check_number(pairs, "pairs of edges, moved inward,");
 }
 
-void note_sources(const Found& found, const std::vector<std::uint32_t>& became_of,
+void note_sources(const FoundStanding& found, const std::vector<std::uint32_t>& became_of,
                   Positions positions, TracedCandidates& traced) {
   traced.of_source.assign(found.sources, no_index);
   if (positions == Positions::range)
@@ -162,7 +162,7 @@ Result<TracedCandidates> standing_candidates(const Polygon& polygon, const Vec2&
   const Corners corners(polygon);
   const Wanted wanted{
       polygon, centre, min_ratio, stands, positions, near, {polygon, corners, clear, &stands}};
-  Found found;
+  FoundStanding found;
   const bool on_outline = stands.robot().depth == 0;
   if (auto error = on_outline ? find_on_outline(wanted, found) : find_on_moved_edges(wanted, found))
     return *error;

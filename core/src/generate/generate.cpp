@@ -174,14 +174,14 @@ constexpr FamilyInfo family_table[] = {
     {Family::comb, "comb", 8},       {Family::spiral, "spiral", 8}, {Family::random, "random", 3},
 };
 
-constexpr bool in_order() {
+constexpr bool families_are_in_order() {
   for (std::size_t i = 0; i < std::size(family_table); ++i)
     if (family_table[i].family != static_cast<Family>(i) ||
         all_families[i] != family_table[i].family)
       return false;
   return std::size(family_table) == std::size(all_families);
 }
-static_assert(in_order(), "info() finds a family by its number");
+static_assert(families_are_in_order(), "info() finds a family by its number");
 
 const FamilyInfo& info(Family family) { return family_table[static_cast<std::size_t>(family)]; }
 

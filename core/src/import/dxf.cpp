@@ -22,17 +22,17 @@ constexpr std::size_t max_depth = 32;  // of nested blocks
 // blocks multiply copies.
 constexpr std::size_t max_inserted_bytes = std::size_t{128} << 20, copy_bytes = 64;
 
-struct Other {
+struct LeftOutKind {
   std::string_view type;
   DxfName name;
 };
-constexpr DxfName label{"text", "texts"}, dimension{"dimension", "dimensions"},
+constexpr DxfName written{"text", "texts"}, dimension{"dimension", "dimensions"},
     leader{"leader", "leaders"}, hatching{"hatching", "hatchings"}, table{"table", "tables"},
     fill{"filled area", "filled areas"}, endless{"endless line", "endless lines"};
-constexpr Other others[] = {{"TEXT", label},
-                            {"MTEXT", label},
-                            {"ATTDEF", label},
-                            {"ATTRIB", label},
+constexpr LeftOutKind left_out_kinds[] = {{"TEXT", written},
+                            {"MTEXT", written},
+                            {"ATTDEF", written},
+                            {"ATTRIB", written},
                             {"DIMENSION", dimension},
                             {"ARC_DIMENSION", dimension},
                             {"LARGE_RADIAL_DIMENSION", dimension},
@@ -49,7 +49,7 @@ constexpr Other others[] = {{"TEXT", label},
                             {"IMAGE", {"picture", "pictures"}},
                             {"VIEWPORT", {"viewport", "viewports"}}};
 // Blocks that programs make for objects that are left out, by the beginnings of their names.
-constexpr Other made_blocks[] = {{"*D", dimension}, {"*X", hatching}, {"*T", table}};
+constexpr LeftOutKind made_blocks[] = {{"*D", dimension}, {"*X", hatching}, {"*T", table}};
 
 constexpr DxfName in_layout{"object of a layout", "objects of layouts"};
 constexpr DxfName in_other_plane{"object in another plane", "objects in another plane"};
@@ -159,7 +159,7 @@ void DxfReader::take_drawn(DxfEntity& entity, std::string_view layer, const Fram
 
 const DxfName* DxfReader::reason_to_leave_out(const DxfInsert& insert,
                                               const DxfBlock* block) const {
-  for (const Other& made : made_blocks)
+  for (const LeftOutKind& made : made_blocks)
     if (insert.block.substr(0, made.type.size()) == made.type) return &made.name;
   if (!block) return &undefined_block;
   return block->in_another_file ? &other_file : nullptr;
@@ -206,7 +206,7 @@ void DxfReader::take(DxfEntity& entity, const Frame& frame) {
   if (entity.tilt() > same_point) return leave_out(in_other_plane);
   if (type == "INSERT") return insert(entity, layer, frame);
   if (is_drawn(type)) return take_drawn(entity, layer, frame);
-  for (const Other& other : others)
+  for (const LeftOutKind& other : left_out_kinds)
     if (type == other.type) return leave_out(other.name);
   const std::string clean = clean_name(type);
   gathering_.left_out.add(clean, clean);

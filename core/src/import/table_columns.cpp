@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::size_t first_lines = 200;  // the first row is among them
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // Headings never begin with a number, even in quotes.
 bool has_number_first(std::string_view line) {

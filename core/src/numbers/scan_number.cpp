@@ -6,13 +6,13 @@
 #include <optional>
 
 #include "numbers/number_text.h"
+#include "numbers/text_cursor.h"
 
 namespace evenlift {
 namespace {
 
 static_assert(FLT_EVAL_METHOD == 0, "a product of doubles must be rounded once, to a double");
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // At most 768 digits decide the rounding, so beyond `limit` it matters only whether a digit other
 // than 0 follows.

@@ -23,6 +23,7 @@ InputError text_error(ErrorCode code, std::string message, std::string_view text
 std::string found_in_text(std::string_view text, std::size_t offset);
 
 bool is_letter(char c);         // a letter of ASCII, in any locale
+bool is_digit(char c);          // 0 to 9
 char lower_case(char c);        // changes letters of ASCII only
 bool ends_line(char c);         // LF or CR
 bool is_space_in_line(char c);  // space or tab

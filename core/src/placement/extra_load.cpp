@@ -20,14 +20,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-struct Linear {
+struct LinearPart {
   double constant = 0;
   Vec2 slope;
   double operator()(const Vec2& q) const { return constant + dot(slope, q); }
 };
 
 // The part of a convex ring where the function is >= 0. O(corners).
-Points part_above_0(const Points& ring, const Linear& function) {
+Points part_above_0(const Points& ring, const LinearPart& function) {
   const double square = dot(function.slope, function.slope);
   if (!(square > 0)) return function.constant >= 0 ? ring : Points();
   const Vec2 from = function.slope * (-function.constant / square);
@@ -36,7 +36,7 @@ Points part_above_0(const Points& ring, const Linear& function) {
 
 // The part of a weight at q that a robot carries, and its room.
 struct Bearing {
-  Linear part;
+  LinearPart part;
   double least_room = 0;            // its load by springs minus its change by the disturbance
   double greatest_room = infinity;  // its capacity minus its load, minus that change
 };
@@ -148,7 +148,7 @@ std::optional<ExtraLoad> extra_load(const ShownPlacement& of) {
   if (!bearings) return ExtraLoad{*weight, {}, 0, 0.0};
   Points ring = lift.box();
   for (const Bearing& bearing : *bearings) {
-    const Linear more{*weight * bearing.part.constant, *weight * bearing.part.slope};
+    const LinearPart more{*weight * bearing.part.constant, *weight * bearing.part.slope};
     ring = part_above_0(ring, {more.constant + bearing.least_room, more.slope});
     if (std::isfinite(bearing.greatest_room))
       ring = part_above_0(ring, {bearing.greatest_room - more.constant, -more.slope});

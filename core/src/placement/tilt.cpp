@@ -11,11 +11,11 @@ namespace evenlift {
 namespace {
 
 // Far beyond any slope, and still finite in %.
-constexpr double most = 1e300;
+constexpr double most_shown = 1e300;
 
 // The slope at which C is above an edge `room` away.
 double slope_within(double room, double height) {
-  return room > 0 ? std::min(room / height, most) : 0;
+  return room > 0 ? std::min(room / height, most_shown) : 0;
 }
 
 }  // namespace
@@ -25,7 +25,7 @@ Disturbance disturbance_of(const Shown& shown) {
   Disturbance disturbance;
   disturbance.reach =
       shown.com_radius + carrying.com_height * (carrying.slope + carrying.acceleration);
-  if (carrying.give) disturbance.uneven = std::min(carrying.uneven / *carrying.give, most);
+  if (carrying.give) disturbance.uneven = std::min(carrying.uneven / *carrying.give, most_shown);
   disturbance.kept = 1 / std::sqrt(1 + carrying.slope * carrying.slope);
   return disturbance;
 }
@@ -44,7 +44,7 @@ double tipping_slope(const Points& hull, const Vec2& centre, const Vec2& directi
                      const Shown& shown) {
   if (hull.size() < 3) return 0;
   const Vec2 downhill = direction / length(direction);
-  double least = most;
+  double least = most_shown;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vec2 &a = hull[i], &b = hull[(i + 1) % hull.size()];
     const double edge = length(b - a);

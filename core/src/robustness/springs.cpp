@@ -140,10 +140,10 @@ class Springs {
 };
 
 // The change of loads as C moves, for a weight of 1.
-class Changes {
+class LoadsAsCMoves {
  public:
   // `bearing` are the loaded robots.
-  Changes(const Points& bearing, bool on_a_line)
+  LoadsAsCMoves(const Points& bearing, bool on_a_line)
       : frame_(standard_frame(bearing)),
         parts_(static_cast<double>(bearing.size())),
         determined_(frame_.axis[on_a_line ? 0 : 1] != Vec2{}) {}
@@ -177,7 +177,7 @@ std::optional<SpringLoads> spring_loads(const Points& robots, const Vec2& centre
   Points bearing;
   for (std::size_t i = 0; i < m; ++i)
     if (springs.pressure(i) > 0) bearing.push_back(support->at[i]);
-  const Changes changes(bearing, support->on_a_line);
+  const LoadsAsCMoves changes(bearing, support->on_a_line);
 
   std::vector<double> loads, per_length;
   double same_within = std::numeric_limits<double>::max();

@@ -108,8 +108,6 @@ const DxfName* problem(const Spline& spline) {
   return nullptr;
 }
 
-double larger_side(const Box& box) { return std::max(box.size().x, box.size().y); }
-
 }  // namespace
 
 DxfDrawn draw_spline(DxfEntity& entity, double same_point) {
@@ -119,8 +117,8 @@ DxfDrawn draw_spline(DxfEntity& entity, double same_point) {
   complete(spline, (flags & closed) != 0);
   if (const DxfName* reason = problem(spline)) return {{}, nullptr, reason};
   const auto meet = [&](const Vec2& a, const Vec2& b) {
-    return larger_side(bounding_box({a, b})) <=
-           same_point * larger_side(bounding_box(spline.control));
+    return max_norm(bounding_box({a, b}).size()) <=
+           same_point * max_norm(bounding_box(spline.control).size());
   };
   DxfDrawn drawn;
   drawn.made_periodic = (flags & closed) != 0 && (flags & periodic) != 0 &&

@@ -11,12 +11,12 @@
 namespace evenlift {
 namespace {
 
-using Kind = CurvePiece::Kind;
+using PieceKind = CurvePiece::Kind;
 
 // An edge as seen from its lesser end, so that repeated edges look alike.
 struct Look {
   std::size_t low, high;
-  Kind kind;
+  PieceKind kind;
   Vec2 first, second;
   double weight;
 };
@@ -30,10 +30,10 @@ Look look_of(const GraphEdge& edge) {
             Vec2{},
             Vec2{},
             1};
-  if (curve.kind == Kind::line) return look;
-  look.first = curve.kind == Kind::cubic && back ? curve.second : curve.first;
-  look.second = curve.kind == Kind::cubic ? (back ? curve.first : curve.second) : look.first;
-  look.weight = curve.kind == Kind::conic ? curve.weight : 1;
+  if (curve.kind == PieceKind::line) return look;
+  look.first = curve.kind == PieceKind::cubic && back ? curve.second : curve.first;
+  look.second = curve.kind == PieceKind::cubic ? (back ? curve.first : curve.second) : look.first;
+  look.weight = curve.kind == PieceKind::conic ? curve.weight : 1;
   return look;
 }
 
@@ -107,14 +107,14 @@ class Graph {
     const bool back = h % 2 == 1;
     const Vec2 &from = nodes_[edge.from], &to = nodes_[edge.to];
     const Vec2 &here = back ? to : from, &there = back ? from : to;
-    if (curve.kind == Kind::line) return {pseudo_angle(there - here), 0};
-    const Vec2& first = curve.kind == Kind::cubic && back ? curve.second : curve.first;
-    const Vec2& second = curve.kind == Kind::cubic && !back ? curve.second : curve.first;
+    if (curve.kind == PieceKind::line) return {pseudo_angle(there - here), 0};
+    const Vec2& first = curve.kind == PieceKind::cubic && back ? curve.second : curve.first;
+    const Vec2& second = curve.kind == PieceKind::cubic && !back ? curve.second : curve.first;
     Vec2 way = first - here;
     if (one_norm(way) == 0) way = second - here;
     if (one_norm(way) == 0) way = there - here;
     const Vec2 middle =
-        curve.kind == Kind::conic
+        curve.kind == PieceKind::conic
             ? Vec2((here + 2 * curve.weight * first + there) / (2 + 2 * curve.weight))
             : Vec2((here + 3 * first + 3 * second + there) / 8);
     const Vec2 chord = middle - here;
@@ -186,7 +186,7 @@ class Graph {
 
   bool is_on_line(std::size_t before, std::size_t after) const {
     const GraphEdge &a = edges_[before / 2], &b = edges_[after / 2];
-    return before / 2 != after / 2 && a.curve.kind == Kind::line && b.curve.kind == Kind::line &&
+    return before / 2 != after / 2 && a.curve.kind == PieceKind::line && b.curve.kind == PieceKind::line &&
            a.line == b.line;
   }
 
@@ -270,8 +270,8 @@ Outline outline_of(const Face& face, const std::vector<GraphEdge>& edges, const 
     const GraphEdge& edge = edges[e];
     CurvePiece curve = edge.curve;
     curve.end = nodes[back ? edge.from : edge.to];
-    if (back && curve.kind == Kind::cubic) std::swap(curve.first, curve.second);
-    const bool straight = curve.kind == Kind::line;
+    if (back && curve.kind == PieceKind::cubic) std::swap(curve.first, curve.second);
+    const bool straight = curve.kind == PieceKind::line;
     if (straight && line == edge.line)
       outline.pieces.back() = curve;
     else

@@ -41,8 +41,6 @@ constexpr Mover movers[] = {{SvgProperty::translate, "translate"},
                             {SvgProperty::rotate, "rotate"},
                             {SvgProperty::scale, "scale"}};
 
-Affine moved(double x, double y) { return {1, 0, 0, 1, x, y}; }
-
 // In a <switch>, programs put first what only they can read, then a version for others.
 bool may_be_chosen(const pugi::xml_node& node) {
   if (local_name(node) == "foreignObject" || !value_of(node, "requiredExtensions").empty())
@@ -127,7 +125,7 @@ bool SvgReader::transform(const pugi::xml_node& node, const SvgDeclared& declare
               svg_transform_origin(origin_text, inside.viewport.width, inside.viewport.height));
   if (!origin) return false;
   inside.matrix =
-      inside.matrix * moved(origin->x, origin->y) * *matrix * moved(-origin->x, -origin->y);
+      inside.matrix * translation(origin->x, origin->y) * *matrix * translation(-origin->x, -origin->y);
   return true;
 }
 
@@ -258,7 +256,7 @@ std::optional<InputError> SvgReader::copy(const pugi::xml_node& node, Context& i
   const auto x = length(node, inside, "x"), y = length(node, inside, "y");
   if (!x || !y) return std::nullopt;
   if (!has_room_to_copy(original)) return std::nullopt;
-  inside.matrix = inside.matrix * moved(x->value_or(0), y->value_or(0));
+  inside.matrix = inside.matrix * translation(x->value_or(0), y->value_or(0));
   inside.in_copy = true;
   if (const std::string_view name = own_name(node); !name.empty()) inside.name_of_copy = name;
   open_.push_back(node);
@@ -280,7 +278,7 @@ std::optional<InputError> SvgReader::nested(const pugi::xml_node& node, const pu
   const auto x = length(node, inside, "x"), y = length(node, inside, "y"), width = side("width"),
              height = side("height");
   if (!x || !y || !width || !height) return std::nullopt;
-  inside.matrix = inside.matrix * moved(x->value_or(0), y->value_or(0));
+  inside.matrix = inside.matrix * translation(x->value_or(0), y->value_or(0));
   const std::optional<SvgViewBox> box = svg_view_box(value_of(node, "viewBox"));
   // A missing side is that of the surrounding viewport.
   SvgViewport size{*width ? *width : inside.viewport.width,

@@ -64,7 +64,6 @@ struct TransformFunction {
   Affine (*map)(const double* values, std::size_t count);
 };
 
-Affine moved(double x, double y) { return {1, 0, 0, 1, x, y}; }
 double tangent_of_degrees(double degrees) {
   return sine_of_degrees(degrees) / cosine_of_degrees(degrees);
 }
@@ -73,9 +72,9 @@ constexpr TransformFunction transform_functions[] = {
     {"matrix", "nnnnnn", 6,
      [](const double* v, std::size_t) { return Affine{v[0], v[1], v[2], v[3], v[4], v[5]}; }},
     {"translate", "ll", 1,
-     [](const double* v, std::size_t count) { return moved(v[0], count == 2 ? v[1] : 0); }},
-    {"translateX", "l", 1, [](const double* v, std::size_t) { return moved(v[0], 0); }},
-    {"translateY", "l", 1, [](const double* v, std::size_t) { return moved(0, v[0]); }},
+     [](const double* v, std::size_t count) { return translation(v[0], count == 2 ? v[1] : 0); }},
+    {"translateX", "l", 1, [](const double* v, std::size_t) { return translation(v[0], 0); }},
+    {"translateY", "l", 1, [](const double* v, std::size_t) { return translation(0, v[0]); }},
     {"scale", "rr", 1,
      [](const double* v, std::size_t count) { return Affine{v[0], 0, 0, v[count - 1], 0, 0}; }},
     {"scaleX", "r", 1, [](const double* v, std::size_t) { return Affine{v[0], 0, 0, 1, 0, 0}; }},
@@ -83,7 +82,7 @@ constexpr TransformFunction transform_functions[] = {
     {"rotate", "a", 1, [](const double* v, std::size_t) { return rotation(v[0]); }},
     {"rotate", "all", 3,
      [](const double* v, std::size_t) {
-       return moved(v[1], v[2]) * rotation(v[0]) * moved(-v[1], -v[2]);
+       return translation(v[1], v[2]) * rotation(v[0]) * translation(-v[1], -v[2]);
      }},
     {"skewX", "a", 1,
      [](const double* v, std::size_t) { return Affine{1, 0, tangent_of_degrees(v[0]), 1, 0, 0}; }},
@@ -416,6 +415,8 @@ SvgResult<std::optional<double>> svg_length(std::string_view text, std::optional
     return std::optional<double>(number.value * *size);
   return SvgProblem{say("the unit of {text} is unknown to evenlift", {shown()})};
 }
+
+Affine translation(double x, double y) { return {1, 0, 0, 1, x, y}; }
 
 SvgResult<Affine> svg_transform(std::string_view text) {
   Affine whole;

@@ -32,6 +32,9 @@ std::string_view svg_trimmed(std::string_view text);
 SvgResult<std::optional<double>> svg_length(std::string_view text,
                                             std::optional<double> whole = std::nullopt);
 
+// Moves every point by (x, y).
+Affine translation(double x, double y);
+
 // Reads a transform in the syntax of the attribute, or of CSS, which also has units and more
 // functions: translateX(1mm), rotate(90deg), skew(1rad). Empty text and "none" give the identity.
 // O(bytes).

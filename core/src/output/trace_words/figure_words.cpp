@@ -106,7 +106,7 @@ struct FigureRow {
 using W = FigureWords;
 
 // clang-format off
-constexpr FigureRow rows[] = {
+constexpr FigureRow figure_rows[] = {
     {FigureKind::object,        "The object"},
     {FigureKind::triangle,      "Triangle at edge {edge}: {share} of the area", {&W::item, &W::signed_share}},
     {FigureKind::centroid,      "Centroid {point}", {&W::point}},
@@ -163,9 +163,9 @@ constexpr FigureRow rows[] = {
 // clang-format on
 
 constexpr bool in_order() {
-  for (std::size_t i = 0; i < std::size(rows); ++i)
-    if (rows[i].kind != static_cast<FigureKind>(i)) return false;
-  return std::size(rows) == figure_kind_count;
+  for (std::size_t i = 0; i < std::size(figure_rows); ++i)
+    if (figure_rows[i].kind != static_cast<FigureKind>(i)) return false;
+  return std::size(figure_rows) == figure_kind_count;
 }
 static_assert(in_order(), "figure_text() finds a row by its kind");
 
@@ -173,7 +173,7 @@ static_assert(in_order(), "figure_text() finds a row by its kind");
 
 std::string figure_text(const Trace& trace, const StepDetail& detail, const Figure& figure) {
   const FigureWords words(trace, detail, figure);
-  const FigureRow& row = rows[static_cast<std::size_t>(figure.kind)];
+  const FigureRow& row = figure_rows[static_cast<std::size_t>(figure.kind)];
   std::array<std::string, 3> blanks;
   std::size_t number = 0;
   for (const auto blank : row.blanks)

@@ -11,7 +11,7 @@
 namespace evenlift {
 namespace {
 
-constexpr int most_decimals = 9;
+constexpr int most_decimals_shown = 9;
 constexpr double least_fixed = 1e-5;  // below, fixed() would show almost no digits
 
 // About four significant digits, but no decimals of large numbers.
@@ -19,13 +19,13 @@ int decimals_shown(double scale) { return scale >= 1e4 ? 0 : decimals_for(scale)
 
 std::string rounded(double value, int decimals, double scale) {
   return scale < least_fixed ? significant(value, 4)
-                             : fixed(value, std::min(decimals, most_decimals));
+                             : fixed(value, std::min(decimals, most_decimals_shown));
 }
 
 std::string number_written(double value, double other, double scale) {
   int decimals = decimals_shown(scale);
   const bool differs = value != other && !lengths_tie(value, other);
-  while (differs && decimals < most_decimals &&
+  while (differs && decimals < most_decimals_shown &&
          rounded(value, decimals, scale) == rounded(other, decimals, scale))
     ++decimals;
   return rounded(value, decimals, scale);
@@ -37,7 +37,7 @@ std::string ratio_written(double ratio, double other) {
   const auto looks_like = [&](double known) {
     return std::fabs(ratio - known) > tau && fixed(ratio, decimals) == fixed(known, decimals);
   };
-  while (decimals < most_decimals && (looks_like(1) || looks_like(other))) ++decimals;
+  while (decimals < most_decimals_shown && (looks_like(1) || looks_like(other))) ++decimals;
   return fixed(ratio, decimals);
 }
 

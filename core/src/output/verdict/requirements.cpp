@@ -15,7 +15,7 @@
 namespace evenlift {
 namespace {
 
-using Value = std::optional<double>;
+using Known = std::optional<double>;
 
 bool has_robots(const ShownPlacement& of) { return !of.placement.teams.empty(); }
 
@@ -25,7 +25,7 @@ std::optional<std::vector<LoadRange>> loads_of(const ShownPlacement& of) {
   return loads_when_disturbed(of);
 }
 
-Value greatest_load(const ShownPlacement& of) {
+Known greatest_load(const ShownPlacement& of) {
   const auto loads = loads_of(of);
   if (!loads) return std::nullopt;
   double greatest = 0;
@@ -33,7 +33,7 @@ Value greatest_load(const ShownPlacement& of) {
   return greatest;
 }
 
-Value least_load(const ShownPlacement& of) {
+Known least_load(const ShownPlacement& of) {
   const auto loads = loads_of(of);
   if (!loads) return std::nullopt;
   double least = loads->front().least;
@@ -41,7 +41,7 @@ Value least_load(const ShownPlacement& of) {
   return least;
 }
 
-Value within_capacity(const ShownPlacement& of) {
+Known within_capacity(const ShownPlacement& of) {
   const auto loads = loads_of(of);
   if (!loads) return 0;
   std::vector<double> greatest;
@@ -50,7 +50,7 @@ Value within_capacity(const ShownPlacement& of) {
 }
 
 // Whether any one robot may fail, on level ground and under the given conditions.
-Value steady(const ShownPlacement& of) {
+Known steady(const ShownPlacement& of) {
   if (!has_robots(of) || robustness(of.placement).failures_clear < 1) return false;
   const Disturbance disturbance = disturbance_of(of.shown);
   if (!disturbance.any()) return true;
@@ -59,7 +59,7 @@ Value steady(const ShownPlacement& of) {
                      [](const auto& rest) { return rest && rest->stays; });
 }
 
-Value greatest_after_failure(const ShownPlacement& of) {
+Known greatest_after_failure(const ShownPlacement& of) {
   if (!of.placement.loads) return std::nullopt;
   double greatest = 0;
   for (const auto& rest : single_failures(of.placement, disturbance_of(of.shown))) {
@@ -70,9 +70,9 @@ Value greatest_after_failure(const ShownPlacement& of) {
 }
 
 // In degrees, in the worst direction; nothing if the height of C is 0.
-Value tipping_angle(const ShownPlacement& of) {
+Known tipping_angle(const ShownPlacement& of) {
   const auto tilt = tilt_of(of);
-  return tilt ? Value(tilt->degrees) : std::nullopt;
+  return tilt ? Known(tilt->degrees) : std::nullopt;
 }
 
 // A value's unit, also of what rounding may change.
@@ -83,29 +83,29 @@ struct Row {
   std::string_view words;  // a sentence if it is yes or no, else its subject
   bool yes_or_no;
   Unit unit;
-  Value (*value)(const ShownPlacement&);
+  Known (*value)(const ShownPlacement&);
 };
 
 // clang-format off
 const Row rows[] = {
     {"held", "The robots hold the object", true, Unit::none,
-     [](const ShownPlacement& of) -> Value { return has_robots(of) && is_held(of.placement); }},
+     [](const ShownPlacement& of) -> Known { return has_robots(of) && is_held(of.placement); }},
     {"stands", "The object stands on its robots", true, Unit::none,
-     [](const ShownPlacement& of) -> Value { return of.placement.loads.has_value(); }},
+     [](const ShownPlacement& of) -> Known { return of.placement.loads.has_value(); }},
     {"steady", "Any one robot may fail without tipping the object", true, Unit::none, steady},
     {"capacity", "No robot carries more than its capacity", true, Unit::none, within_capacity},
-    {"coverage", "The coverage", false, Unit::share, [](const ShownPlacement& of) -> Value { return of.placement.coverage; }},
+    {"coverage", "The coverage", false, Unit::share, [](const ShownPlacement& of) -> Known { return of.placement.coverage; }},
     {"max", "The greatest load", false, Unit::weight, greatest_load},
     {"min", "The least load", false, Unit::weight, least_load},
     {"spread", "The greatest load minus the least", false, Unit::weight,
-     [](const ShownPlacement& of) { return of.placement.loads ? Value(of.placement.loads->spread) : std::nullopt; }},
+     [](const ShownPlacement& of) { return of.placement.loads ? Known(of.placement.loads->spread) : std::nullopt; }},
     {"max_after_failure", "The greatest load after any one failure", false, Unit::weight, greatest_after_failure},
     {"margin", "The margin of form closure", false, Unit::number, [](const ShownPlacement& of) { return of.placement.closure.margin; }},
     {"tipping_distance", "The tipping distance", false, Unit::length,
-     [](const ShownPlacement& of) -> Value { return has_robots(of) ? robustness(of.placement).tipping_distance : 0; }},
+     [](const ShownPlacement& of) -> Known { return has_robots(of) ? robustness(of.placement).tipping_distance : 0; }},
     {"tip", "The slope at which it tips", false, Unit::degrees, tipping_angle},
     {"robots", "The number of robots", false, Unit::none,
-     [](const ShownPlacement& of) -> Value { return static_cast<double>(count_robots(of.placement.teams)); }},
+     [](const ShownPlacement& of) -> Known { return static_cast<double>(count_robots(of.placement.teams)); }},
 };
 // clang-format on
 
