@@ -2,8 +2,12 @@
 # `./dev tidy` compiles each alone, without precompiled headers (CMAKE_DISABLE_PRECOMPILE_HEADERS).
 include_guard()
 
-# The target reads the headers that it names, and these, only once.
+# The target reads the headers that it names, and these, only once. For WebAssembly it would read them to no use: a
+# library is two or three units there (below).
 function(evenlift_precompile target)
+  if(EMSCRIPTEN)
+    return()
+  endif()
   target_precompile_headers(
     ${target}
     PRIVATE
