@@ -25,8 +25,8 @@ endif()
 set(evenlift_small "")
 set(evenlift_quick "")
 if(EMSCRIPTEN)
-  set(evenlift_small -Oz -fno-rtti -finline-functions)
-  set(evenlift_quick -Os -fno-rtti -finline-functions)
+  set(evenlift_small -Oz -fno-rtti -fno-exceptions -finline-functions)
+  set(evenlift_quick -Os -fno-rtti -fno-exceptions -finline-functions)
 endif()
 
 # Real files, standard streams byte for byte, its exit status, C++ exceptions.

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #ifndef __EMSCRIPTEN__
+#include <system_error>
 #include <thread>
 #endif
 
@@ -112,7 +113,11 @@ void in_threads(std::size_t count, unsigned jobs, Task task) {
   loop();
 #else
   std::vector<std::thread> threads;
-  for (unsigned i = 1; i < jobs && i < count; ++i) threads.emplace_back(loop);
+  try {
+    for (unsigned i = 1; i < jobs && i < count; ++i) threads.emplace_back(loop);
+  } catch (const std::system_error&) {
+    // The threads that could start do all of it.
+  }
   loop();
   for (std::thread& thread : threads) thread.join();
 #endif

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "evenlift/failures.h"
 #include "evenlift/generate.h"
 #include "evenlift/output/words.h"
+#include "evenlift/settings.h"
 #include "evenlift/swaps.h"
 #include "evenlift/tolerance.h"
 #include "kit/catch.h"
@@ -301,4 +305,66 @@ TEST_CASE("a plan is made anew when anything changes on which it depends", "[cap
     INFO("edit " << i);
     CHECK_FALSE(same_plan(before, placed(edited)));
   }
+}
+
+TEST_CASE("no setting changes a plan unnoticed", "[capacity][slow]") {
+  // For each setting that affects where robots stand or what they carry.
+  const std::map<std::string_view, std::vector<const char*>> values = {
+      {"teams", {"1", "9"}},
+      {"metric", {"circle", "distance", "distributed", "random", "balanced"}},
+      {"min_ratio", {"0.3", "0.97"}},
+      {"com", {"300,300", "420,560"}},
+      {"weight", {"60", "170"}},
+      {"seed", {"2", "77"}},
+      {"robot", {"r=20,reach=5,depth=0,width=10,gap=2", "r=90"}},
+      {"no_go", {"1,3,5", "2:0.2-0.9"}},
+      {"goal", {"hold", "cover"}},
+      {"robots", {"4", "11"}},
+      {"positions", {"range"}},
+      {"min_margin", {"0", "0.3"}},
+      {"apart", {"100", "400"}},
+      {"survive", {"1", "3"}},
+      {"clear", {"0", "60"}},
+      {"robot_radius", {"25", "120"}},
+      {"robot_reach", {"10"}},
+      {"robot_depth", {"30"}},
+      {"robot_width", {"40"}},
+      {"robot_gap", {"50"}},
+      {"supports", {"0,0 500,0 400,900"}},
+      {"snap", {"5"}},
+      {"support_capacities", {"none"}},
+      {"cargo", {"300,300:40", "500,500:300"}},
+  };
+  std::vector<Document> documents;
+  for (const char* name : {"grand-piano", "puzzle-piece"}) {
+    for (const Method method : {Method::area, Method::random, Method::distributed, Method::balanced}) {
+      documents.push_back(corpus::polygon(name));
+      documents.back().settings.method = method;
+    }
+    documents.push_back(corpus::polygon(name));  // teams that are swapped
+    documents.back().settings.positions = Positions::range;
+    documents.back().settings.goal = Goal::hold;
+  }
+  int changed_plans = 0;
+  for (const SettingRow& row : all_settings()) {
+    if (row.changes != Changes::stands && row.changes != Changes::loads) continue;
+    INFO("the setting " << row.name);
+    REQUIRE(values.contains(row.name));
+    for (const Document& document : documents) {
+      const Placement before = placed(document);
+      for (const char* value : values.at(row.name)) {
+        Document changed = document;
+        if (read_setting(row.setting, value, changed)) continue;
+        const Result<Placement> after = place(changed);
+        if (!after || !same_plan(before, *after)) {
+          changed_plans += after.ok();
+          continue;
+        }
+        INFO(value << " with the method " << name(document.settings.method));
+        for (const double capacity : {4.0, 11.0, 24.0, 60.0})
+          CHECK(plan_capacity(before, capacity) == plan_capacity(*after, capacity));
+      }
+    }
+  }
+  CHECK(changed_plans > 100);
 }

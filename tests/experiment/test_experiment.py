@@ -8,6 +8,7 @@ import os
 import pathlib
 import pty
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -59,6 +60,16 @@ class Runs(Case):
         for jobs in (2, 7):
             self.experiment(f"jobs{jobs}", "--jobs", jobs)
             self.assert_same(f"jobs{jobs}", expected)
+
+    def test_threads_that_cannot_start_leave_their_work_to_the_others(self):
+        def little_room():  # no stack of this size can be had
+            resource.setrlimit(resource.RLIMIT_STACK, (1 << 46, resource.getrlimit(resource.RLIMIT_STACK)[1]))
+
+        self.experiment("one", "--jobs", 1)
+        options = [self.inputs, "--out", self.folder / "many", "--samples", 8, "--jobs", 8, *FEW]
+        done = run("experiment", *options, preexec_fn=little_room)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assert_same("many", results.contents(self.folder / "one"))
 
     def test_the_order_of_paths_does_not_matter(self):
         other = self.folder / "another set"
