@@ -18,8 +18,7 @@ inline set_oracle::Object object_of(const Polygon& polygon, const Vec2& centre) 
 
 inline std::vector<set_oracle::Point> plain(const std::vector<LiftingPoint>& robots) {
   std::vector<set_oracle::Point> points;
-  for (const LiftingPoint& robot : robots)
-    points.push_back({robot.position.x, robot.position.y});
+  for (const LiftingPoint& robot : robots) points.push_back({robot.position.x, robot.position.y});
   return points;
 }
 

@@ -345,8 +345,8 @@ TEST_CASE("a turned and scaled object gets the same verdict, and nearly the same
     const Task task = task_of(document, 6);
     const double angle = 0.37 + static_cast<double>(i);
     for (Vec2& v : document.vertices)
-      v = 3.7 * Vec2(cosine(angle) * v.x - sine(angle) * v.y,
-                     sine(angle) * v.x + cosine(angle) * v.y);
+      v = 3.7 *
+          Vec2(cosine(angle) * v.x - sine(angle) * v.y, sine(angle) * v.x + cosine(angle) * v.y);
     const Task other = task_of(document, 6);
     const auto result = [](const Task& t) {
       return balanced_keys(t.problem, finish_search(t.problem, *start_balanced(t.problem)).robots);

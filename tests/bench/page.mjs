@@ -3,16 +3,17 @@
 // usual.
 import { load, idle, startBrowser, state, toScreen } from "../page/browser.mjs";
 import { coast } from "../shapes/coast.mjs";
-import { sizes } from "../page/sizes.mjs";
+import { loaded, sizes, total } from "../page/sizes.mjs";
 
 const line = (name, value) => console.log(name.padEnd(62), value.padStart(16));
 
-const { files, start, all } = sizes();
-for (const { name, bytes } of files) line(name, `${bytes} bytes`);
-line("before the first picture, gzip -9", `${start} bytes`);
-line("with what is loaded when it is asked for", `${all} bytes`);
+for (const { name, bytes } of sizes()) line(name, `${bytes} bytes`);
+line("with what is loaded when it is asked for", `${total(sizes())} bytes`);
 
 const browser = await startBrowser(["--js-flags="], { drawn: true });
+const opened = await browser.open();
+line("until the page is ready, gzip -9", `${total(await loaded(opened))} bytes`);
+await opened.done();
 
 // The first picture, and the whole program with its controls.
 const starts = { picture: [], ready: [] };

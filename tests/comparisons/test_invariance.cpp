@@ -212,9 +212,8 @@ class Comparison {
     const bool swapped =
         may_swap && !change_.keeps_axes() && squared_length(r1 - s1) > squared_length(r1 - s2);
     if (apart(r1, swapped ? s2 : s1) || apart(r2, swapped ? s1 : s2))
-      out_ << what << " " << i << ": (" << r1.x << "," << r1.y << ")-(" << r2.x << ","
-           << r2.y << ") and now (" << s1.x << "," << s1.y << ")-(" << s2.x << "," << s2.y
-           << ")\n";
+      out_ << what << " " << i << ": (" << r1.x << "," << r1.y << ")-(" << r2.x << "," << r2.y
+           << ") and now (" << s1.x << "," << s1.y << ")-(" << s2.x << "," << s2.y << ")\n";
     // Another merged chord may touch a vertex where this one does not.
     const double moved =
         std::max(length(r1 - (swapped ? s2 : s1)), length(r2 - (swapped ? s1 : s2)));

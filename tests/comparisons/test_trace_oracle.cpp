@@ -34,8 +34,7 @@ std::optional<Trace> trace_of(const Case& c) {
 // Whether coordinates are far from the origin: then positions lose digits, but not decisions.
 bool far_away(const Trace& trace) {
   double largest = 0;
-  for (const Vec2& v : trace.polygon().vertices())
-    largest = std::max(largest, max_norm(v));
+  for (const Vec2& v : trace.polygon().vertices()) largest = std::max(largest, max_norm(v));
   return largest > 1e4 * trace.polygon().diagonal();
 }
 

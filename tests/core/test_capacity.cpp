@@ -337,7 +337,8 @@ TEST_CASE("no setting changes a plan unnoticed", "[capacity][slow]") {
   };
   std::vector<Document> documents;
   for (const char* name : {"grand-piano", "puzzle-piece"}) {
-    for (const Method method : {Method::area, Method::random, Method::distributed, Method::balanced}) {
+    for (const Method method :
+         {Method::area, Method::random, Method::distributed, Method::balanced}) {
       documents.push_back(corpus::polygon(name));
       documents.back().settings.method = method;
     }

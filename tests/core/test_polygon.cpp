@@ -42,8 +42,8 @@ void check_promises(const Points& vertices) {
   const Result<Polygon> polygon = Polygon::create(vertices);
   REQUIRE(polygon.ok());
   const Points& v = polygon->vertices();
-  INFO("first vertices (" << v[0].x << "," << v[0].y << ") (" << v[1].x << "," << v[1].y
-                          << ") (" << v[2].x << "," << v[2].y << ")");
+  INFO("first vertices (" << v[0].x << "," << v[0].y << ") (" << v[1].x << "," << v[1].y << ") ("
+                          << v[2].x << "," << v[2].y << ")");
   CHECK(polygon->diagonal() >= min_diagonal);
   CHECK(polygon->area() == exact_area(vertices));
   const oracle::Point centroid = oracle::centroid(for_oracle(vertices));

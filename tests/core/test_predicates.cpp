@@ -27,8 +27,7 @@ bool right(double value, const Rational& expected) {
   if (expected == 0) return value == 0;
   if ((value > 0) != (expected > 0) || value == 0) return false;
   if (std::fabs(value) < 0x1p-1000) return abs(expected) < exact(0x1p-999);
-  return abs(exact(value) - expected) * 0x1p45 <=
-         abs(expected);
+  return abs(exact(value) - expected) * 0x1p45 <= abs(expected);
 }
 
 struct Exact {
@@ -72,8 +71,8 @@ Tally check_all(Make make, int number) {
                            right(orient_mirrored(a, b, c, d), exact_mirrored(a, b, c, d));
     tally.add(orient(a, b, c));
     if (all_right) continue;
-    INFO(std::hexfloat << "a " << a.x << " " << a.y << ", b " << b.x << " " << b.y << ", c "
-                       << c.x << " " << c.y << ", d " << d.x << " " << d.y);
+    INFO(std::hexfloat << "a " << a.x << " " << a.y << ", b " << b.x << " " << b.y << ", c " << c.x
+                       << " " << c.y << ", d " << d.x << " " << d.y);
     CHECK(right(orient(a, b, c), exact_cross(a, b, a, c)));
     CHECK(right(cross_of_differences(a, b, c, d), exact_cross(a, b, c, d)));
     CHECK(right(dot_of_differences(a, b, c, d), exact_dot(a, b, c, d)));
@@ -219,8 +218,7 @@ TEST_CASE("dyadic numbers add, subtract and multiply exactly", "[predicates]") {
     if (std::isnormal(x)) RC_ASSERT(dx.to_double() == x);
     const Rational sum = ex + ey;
     const double rounded = (dx + dy).to_double();
-    RC_ASSERT(abs(exact(rounded) - sum) * 0x1p52 <=
-              abs(sum) + exact(0x1p-1020));
+    RC_ASSERT(abs(exact(rounded) - sum) * 0x1p52 <= abs(sum) + exact(0x1p-1020));
   });
 }
 

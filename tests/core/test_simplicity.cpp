@@ -27,8 +27,8 @@ int side(const Vec2& a, const Vec2& b, const Vec2& c) {
 
 // Whether c, on the line of a and b, is between them or at one.
 bool within(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return std::min(a.x, b.x) <= c.x && c.x <= std::max(a.x, b.x) &&
-         std::min(a.y, b.y) <= c.y && c.y <= std::max(a.y, b.y);
+  return std::min(a.x, b.x) <= c.x && c.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= c.y &&
+         c.y <= std::max(a.y, b.y);
 }
 
 // In a point other than the shared vertex of neighbours.
@@ -67,7 +67,7 @@ Points careless_chain(std::mt19937_64& engine) {
     const std::size_t x = below(side_length), y = below(side_length);
     if (!seen.insert({x, y}).second) continue;
     Vec2 p(static_cast<double>(x), static_cast<double>(y));
-    if (form == 1) p *= 0.1;                              // inexact tenths
+    if (form == 1) p *= 0.1;                          // inexact tenths
     if (form == 2) p = {p.x * 1e-300, p.y * 1e-300};  // tiny
     if (form == 3 && below(3) == 0) p.y = std::nextafter(p.y, 9);
     points.push_back(p);

@@ -35,9 +35,7 @@ inline std::vector<Row> read_table(const std::string& file, std::size_t columns)
   return rows;
 }
 
-inline std::string from_json_string(const std::string& cell) {
-  return Json::parse(cell).text();
-}
+inline std::string from_json_string(const std::string& cell) { return Json::parse(cell).text(); }
 
 inline std::string name_of(ErrorCode code) {
   static const std::pair<ErrorCode, const char*> names[] = {

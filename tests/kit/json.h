@@ -25,10 +25,8 @@ class Json {
   const Json& operator[](std::string_view name) const;
   const Json& operator[](const char* name) const { return (*this)[std::string_view(name)]; }
   template <class Integer>
-    requires std::is_integral_v<Integer>
-  const Json& operator[](Integer index) const {
-    return items_.at(static_cast<std::size_t>(index));
-  }
+  requires std::is_integral_v<Integer>
+  const Json& operator[](Integer index) const { return items_.at(static_cast<std::size_t>(index)); }
   auto begin() const { return items_.begin(); }
   auto end() const { return items_.end(); }
 
@@ -48,7 +46,9 @@ class Json {
 
   // Members may stand in any order.
   friend bool operator==(const Json& a, const Json& b);
-  friend bool operator==(const Json& a, bool b) { return a.kind_ == Kind::boolean && a.whole_ == b; }
+  friend bool operator==(const Json& a, bool b) {
+    return a.kind_ == Kind::boolean && a.whole_ == b;
+  }
   friend bool operator==(const Json& a, std::string_view b) {
     return a.kind_ == Kind::text && a.text_ == b;
   }
@@ -56,8 +56,8 @@ class Json {
   friend bool operator==(const Json& a, const std::string& b) { return a == std::string_view(b); }
   friend bool operator==(const Json& a, const std::vector<double>& b) { return a.numbers() == b; }
   template <class Number>
-    requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>)
-  friend bool operator==(const Json& a, Number b) {
+  requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>) friend bool operator==(
+      const Json& a, Number b) {
     return a.kind_ == Kind::number && a.number_ == static_cast<double>(b);
   }
   friend std::ostream& operator<<(std::ostream& stream, const Json& json);

@@ -20,7 +20,7 @@ import {
   thrown,
   wide,
 } from "./browser.mjs";
-import { sizes } from "./sizes.mjs";
+import { loaded, total } from "./sizes.mjs";
 
 const browser = sharedBrowser();
 
@@ -185,9 +185,12 @@ test("embedded it shows the drawing and a link out, and no panel", async () => {
   await page.done();
 });
 
-test("what the first picture needs is at most 480,000 bytes after compression", () => {
-  const { start } = sizes();
-  assert.ok(start <= 480000, `${start} bytes after gzip`);
+test("what the page loads until it is ready is at most 710,000 bytes after compression", async () => {
+  const page = await browser.open();
+  const files = await loaded(page);
+  assert.ok(files.some(({ name }) => name === "evenlift.wasm"));
+  assert.ok(total(files) <= 710000, `${total(files)} bytes: ${files.map(({ name, bytes }) => `${name} ${bytes}`)}`);
+  await page.done();
 });
 
 // --- Without WebGL 2: the still picture -----------------------------------------------------------------------------

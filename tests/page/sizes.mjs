@@ -1,19 +1,19 @@
-// The page's files as a server sends them.
+// The page's files as a server sends them, after gzip -9.
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { gzipSync } from "node:zlib";
 import { pageFolder } from "./browser.mjs";
 
-// Loaded before the first picture. The rest of the program follows it; windows, their lists and experiments are loaded
-// on demand.
-const atStart = ["index.html", "icon.svg", "page.css", "page.js", "evenlift.js", "evenlift.wasm"];
+const bytesOf = (name) => gzipSync(readFileSync(path.join(pageFolder, name)), { level: 9 }).length;
 
-export function sizes() {
-  const files = readdirSync(pageFolder).map((name) => ({
-    name,
-    bytes: gzipSync(readFileSync(path.join(pageFolder, name)), { level: 9 }).length,
-    atStart: atStart.includes(name),
-  }));
-  const total = (some) => some.reduce((sum, { bytes }) => sum + bytes, 0);
-  return { files, start: total(files.filter((file) => file.atStart)), all: total(files) };
+// All files, by name.
+export const sizes = () => readdirSync(pageFolder).map((name) => ({ name, bytes: bytesOf(name) }));
+
+// The files that a page has loaded so far, which has just become ready.
+export async function loaded(page) {
+  const addresses = await page.evaluate(() => performance.getEntriesByType("resource").map(({ name }) => name));
+  const names = new Set(["index.html", ...addresses.map((address) => new URL(address).pathname.slice(1))]);
+  return [...names].map((name) => ({ name, bytes: bytesOf(name) }));
 }
+
+export const total = (files) => files.reduce((sum, { bytes }) => sum + bytes, 0);

@@ -122,9 +122,7 @@ RobotSet turned(RobotSet set, Rng& rng) {
   const double angle = between(rng, 0, 2 * evenlift::pi);
   const double c = evenlift::cosine(angle), s = evenlift::sine(angle);
   const double mirror = rng.below(2) == 0 ? 1 : -1;
-  const auto turn = [&](Vec2& p) {
-    p = Vec2(c * p.x - s * p.y, mirror * (s * p.x + c * p.y));
-  };
+  const auto turn = [&](Vec2& p) { p = Vec2(c * p.x - s * p.y, mirror * (s * p.x + c * p.y)); };
   for (Vec2& robot : set.robots) turn(robot);
   turn(set.centre);
   return set;

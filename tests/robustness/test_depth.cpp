@@ -27,8 +27,7 @@ class Subsets {
   explicit Subsets(const RobotSet& set)
       : near_square_(square(Exact(1) / 1000000000 * Exact(set.diameter))) {
     for (const Vec2& p : set.robots)
-      robots_.push_back(
-          {Exact(p.x) - Exact(set.centre.x), Exact(p.y) - Exact(set.centre.y)});
+      robots_.push_back({Exact(p.x) - Exact(set.centre.x), Exact(p.y) - Exact(set.centre.y)});
     find_carriers();
     find_sides();
   }

@@ -155,8 +155,7 @@ class StandOracle {
     double nearest = 1e300;
     for_each_edge_but(polygon_.size(), [&](const Vec2& a, const Vec2& b) {
       nearest = std::min(nearest, to_segment(s, a, b));
-      if ((a.y > s.y) != (b.y > s.y) &&
-          s.x < a.x + (s.y - a.y) / (b.y - a.y) * (b.x - a.x))
+      if ((a.y > s.y) != (b.y > s.y) && s.x < a.x + (s.y - a.y) / (b.y - a.y) * (b.x - a.x))
         inside = !inside;
     });
     return inside ? nearest : -nearest;

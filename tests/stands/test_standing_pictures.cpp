@@ -38,11 +38,9 @@ TEST_CASE("a picture has every body, hand and marked edge", "[svg][stands]") {
 }
 
 TEST_CASE("JSON says where robots stand and what they cannot use", "[json][stands]") {
-  const auto json =
-      Json::parse(placement_json(piano({30, 20, 40, 60, 10}, {{37, 0, 1}}), true));
+  const auto json = Json::parse(placement_json(piano({30, 20, 40, 60, 10}, {{37, 0, 1}}), true));
   CHECK(json["robot"] ==
-        Json::parse(
-            R"({"radius": 30, "reach": 20, "depth": 40, "width": 60, "gap": 10})"));
+        Json::parse(R"({"radius": 30, "reach": 20, "depth": 40, "width": 60, "gap": 10})"));
   CHECK(json["no_go"] == "38");
   bool marked = false;
   for (const auto& part : json["unusable"]) {

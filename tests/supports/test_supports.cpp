@@ -24,9 +24,9 @@
 #include "kit/texts.h"
 
 using namespace evenlift;
+using evenlift::testing::Json;
 using evenlift::testing::placed;
 using evenlift::testing::plainly;
-using evenlift::testing::Json;
 
 namespace {
 
@@ -224,7 +224,8 @@ TEST_CASE("robots with a size are told where they do not fit", "[supports]") {
     why.push_back(std::to_string(misfit.robot + 1) + " " + misfit_in_words(misfit));
   CHECK(why == std::vector<std::string>{"2 too near robot 1", "3 outside", "4 no-go"});
   CHECK(judge(placement).kind == VerdictKind::warning);
-  CHECK(json_of(document)["misfits"][0] == Json::parse(R"({"robot": 1, "why": "too near robot 1"})"));
+  CHECK(json_of(document)["misfits"][0] ==
+        Json::parse(R"({"robot": 1, "why": "too near robot 1"})"));
 
   document.settings.supports = {{3, 0}, {3, 4}, {0, 3}};
   document.vertices = testing::u_shape;

@@ -576,9 +576,8 @@ TEST_CASE("DXF: parts are chained whatever their order and direction", "[import]
       Vec2 a = corners[k], b = corners[(k + 1) % corners.size()];
       if (rng.uniform() < 0.5) std::swap(a, b);
       const auto text = [](double v) { return std::to_string(v); };
-      lines.push_back("0\nLINE\n10\n" + text(a.x) + "\n20\n" +
-                      text(a.y + 4e-5 * rng.uniform()) + "\n11\n" + text(b.x) + "\n21\n" +
-                      text(b.y) + "\n");
+      lines.push_back("0\nLINE\n10\n" + text(a.x) + "\n20\n" + text(a.y + 4e-5 * rng.uniform()) +
+                      "\n11\n" + text(b.x) + "\n21\n" + text(b.y) + "\n");
     }
     for (std::size_t k = lines.size(); k > 1; --k)
       std::swap(lines[k - 1], lines[static_cast<std::size_t>(rng.uniform() * double(k))]);

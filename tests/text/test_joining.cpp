@@ -239,8 +239,8 @@ TEST_CASE("a polygon with holes, drawn in pieces, is read from SVG and DXF",
         Vec2 a = loop[i], b = loop[i + 1 == loop.size() ? 0 : i + 1];
         if (random.below(2) == 0) std::swap(a, b);
         svg_parts.push_back(random.below(2) == 0
-                                ? "<line x1='" + number(a.x) + "' y1='" + number(-a.y) +
-                                      "' x2='" + number(b.x) + "' y2='" + number(-b.y) + "'/>"
+                                ? "<line x1='" + number(a.x) + "' y1='" + number(-a.y) + "' x2='" +
+                                      number(b.x) + "' y2='" + number(-b.y) + "'/>"
                                 : "<path d='M" + number(a.x) + " " + number(-a.y) + "L" +
                                       number(b.x) + " " + number(-b.y) + "'/>");
         dxf_parts.push_back("0\nLINE\n8\nCUT\n10\n" + number(a.x) + "\n20\n" + number(a.y) +

@@ -15,8 +15,8 @@
 #include "kit/solid.h"
 
 using namespace evenlift;
-using evenlift::testing::placed;
 using evenlift::testing::Json;
+using evenlift::testing::placed;
 
 namespace {
 

@@ -16,8 +16,8 @@
 #include "kit/placed.h"
 
 using namespace evenlift;
-using evenlift::testing::placed;
 using evenlift::testing::Json;
+using evenlift::testing::placed;
 
 namespace {
 
@@ -219,7 +219,8 @@ TEST_CASE("the version is the package's", "[request]") {
   CHECK(answer_json(R"({"command": "version"})")["version"].text().find('.') == 1);
 }
 
-TEST_CASE("a program's own kinds of requests are answered beside those of the manual", "[request]") {
+TEST_CASE("a program's own kinds of requests are answered beside those of the manual",
+          "[request]") {
   const RequestKind kinds[] = {{"count", {"words", "factor"}, [](const RequestMembers& members) {
                                   double letters = 0;
                                   for (const std::string& word : members.texts("words"))

@@ -14,8 +14,8 @@
 #include "kit/texts.h"
 
 using namespace evenlift;
-using evenlift::testing::plainly;
 using evenlift::testing::Json;
+using evenlift::testing::plainly;
 using Names = std::vector<std::string>;
 
 namespace {
@@ -65,7 +65,7 @@ TEST_CASE("the JSON always has the loads of all models and the robustness", "[js
   CHECK(json["loads"]["models"]["best"] == loads->best);
   CHECK(json["loads"]["models"]["worst"] == loads->worst);
   CHECK(json["robustness"].names() == Names{"com_margin", "failures_carried", "failures_steady",
-                                              "failures_clear", "load_per_length"});
+                                            "failures_clear", "load_per_length"});
   CHECK(json["robustness"]["failures_carried"] == 2);
   CHECK(json["robustness"]["failures_steady"] == 1);
   CHECK(json["robustness"]["load_per_length"] == loads->springs.per_length);
@@ -146,8 +146,8 @@ TEST_CASE("with failures the JSON has a row for each robot", "[json][robustness]
   for (std::size_t i = 0; i < 6; ++i) {
     const Json& row = json["failures"][i];
     CHECK(row.names() == Names{"robot", "carried", "steady", "clear", "com_margin", "coverage",
-                                 "form_closure", "margin", "plan_max", "springs_max", "best_max",
-                                 "springs"});
+                               "form_closure", "margin", "plan_max", "springs_max", "best_max",
+                               "springs"});
     const std::vector<double> springs = row["springs"].numbers();
     REQUIRE(springs.size() == 6);
     CHECK(springs[i] == 0);

@@ -304,8 +304,8 @@ TEST_CASE("labels stand clear of each other, of robots and of what covers the dr
   Occupied occupied(window);
   occupied.box(covered);
   for (const LabelRequest& request : requests)
-    occupied.box({request.robot.x - 15, request.robot.y - 15, request.robot.x + 15,
-                  request.robot.y + 15});
+    occupied.box(
+        {request.robot.x - 15, request.robot.y - 15, request.robot.x + 15, request.robot.y + 15});
   const auto places = place_labels(requests, occupied, 15, 0);
   const auto apart = [](const Rect& a, const Rect& b) {
     return a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
@@ -526,8 +526,7 @@ TEST_CASE("on a sheet that is pulled up to the top a notice stands at its foot",
   settle(page.app);
   state.view.sheet = Sheet::full;
   for (int i = 0; i < 4; ++i) page.frame();
-  CHECK(layout(state).notice.bottom - state.session.notice_height >
-        layout(state).panel.middle().y);
+  CHECK(layout(state).notice.bottom - state.session.notice_height > layout(state).panel.middle().y);
 }
 
 TEST_CASE(

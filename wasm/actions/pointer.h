@@ -7,7 +7,7 @@
 namespace evenlift::view {
 
 struct Pointer {
-  Vec2 at;   // pixels
+  Vec2 at;                  // pixels
   bool present = false;     // over the canvas, or holding a part
   bool touch = false;       // a finger, which cannot hover
   bool second = false;      // over the picture of the second method

@@ -31,9 +31,8 @@ struct Scaled {
 };
 
 bool all_within(const Points& points, const Scaled& scaled) {
-  return std::all_of(points.begin(), points.end(), [&](const Vec2& p) {
-    return max_norm(scaled(p)) <= max_coordinate;
-  });
+  return std::all_of(points.begin(), points.end(),
+                     [&](const Vec2& p) { return max_norm(scaled(p)) <= max_coordinate; });
 }
 
 void scale_drawing(AppState& state, const Scaled& scaled) {

@@ -10,8 +10,8 @@ void draw_word(ImDrawList& list, const Vec2& spot, const Rect& window, const The
                Colour colour, const std::string& text) {
   const ImVec2 size = text_size(Face::strong_label, text);
   const double width = static_cast<double>(size.x) + 16, height = static_cast<double>(size.y) + 10;
-  const double left = std::clamp(spot.x + 14, window.left + 4,
-                                 std::max(window.left + 4, window.right - width - 4));
+  const double left =
+      std::clamp(spot.x + 14, window.left + 4, std::max(window.left + 4, window.right - width - 4));
   double top = spot.y - height - 10;
   if (top < window.top + 4) top = std::max(spot.y + 18, window.top + 4);
   const ImVec2 low = vec(left, top), high = vec(left + width, top + height);

@@ -31,8 +31,7 @@ std::optional<Rect> coverage_box(const CanvasView& view) {
   if (!wanted || place.room * view.camera.scale < 24) return std::nullopt;
   const Vec2 at = view.camera.to_screen(place.at);
   const ImVec2 text = text_size(Face::verdict, percentage(view.placement->coverage));
-  const Rect box{at.x - text.x / 2, at.y - text.y / 2, at.x + text.x / 2,
-                 at.y + text.y / 2};
+  const Rect box{at.x - text.x / 2, at.y - text.y / 2, at.x + text.x / 2, at.y + text.y / 2};
   const Rect window = free_window(view);
   const bool seen =
       window.contains({box.left, box.top}) && window.contains({box.right, box.bottom});

@@ -110,8 +110,7 @@ void draw_swarm(const Painter& painter, const CanvasView& view, std::size_t team
                row = static_cast<std::size_t>((at.y - window.top) / spot);
     if (taken[row * across + column]) return;
     taken[row * across + column] = true;
-    painter.list().AddRectFilled(vec(at.x - 2, at.y - 2), vec(at.x + 2, at.y + 2),
-                                 colour.packed());
+    painter.list().AddRectFilled(vec(at.x - 2, at.y - 2), vec(at.x + 2, at.y + 2), colour.packed());
   };
   // Overloaded robots come first, so that none hides them.
   for (const bool over : {true, false}) {

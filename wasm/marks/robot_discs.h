@@ -45,9 +45,9 @@ std::vector<RobotSize> robot_sizes(const CanvasView& view, const std::vector<Tea
 // side away from C.
 struct RobotLook {
   std::size_t number = 1;
-  std::size_t team = 0;         // from 1; 0 if it has no mark
-  Vec2 outward;  // away from C, in polygon coordinates
-  double share = 1;             // its load as a share of the greatest load
+  std::size_t team = 0;  // from 1; 0 if it has no mark
+  Vec2 outward;          // away from C, in polygon coordinates
+  double share = 1;      // its load as a share of the greatest load
   bool over = false, failed = false;
   bool marked = false;   // its card is open, or it is pointed at
   bool beneath = false;  // stands beneath the object, and touches nothing sideways

@@ -61,8 +61,7 @@ std::uint32_t whole_or_none(double value, std::uint32_t most) {
 
 experiment::ExperimentSettings settings_of(const RequestMembers& members) {
   experiment::ExperimentSettings given{
-      members.number("minRatio"),
-      whole_or_none(members.number("samples"), experiment::max_samples),
+      members.number("minRatio"), whole_or_none(members.number("samples"), experiment::max_samples),
       whole_or_none(members.number("mostTeams"), experiment::max_experiment_teams),
       whole_or_none(members.number("mostBalanced"), most_robots), members.number("weight")};
   for (const WeightUnit unit : all_weight_units)
@@ -71,8 +70,7 @@ experiment::ExperimentSettings settings_of(const RequestMembers& members) {
 }
 
 // Sorted by set and polygon; merges the results of a polygon that was measured method by method.
-std::vector<experiment::PolygonResult> merged(
-    std::vector<experiment::PolygonResult> parts) {
+std::vector<experiment::PolygonResult> merged(std::vector<experiment::PolygonResult> parts) {
   std::vector<experiment::PolygonResult> whole;
   experiment::sort_results(parts);
   for (experiment::PolygonResult& part : parts) {

@@ -18,13 +18,13 @@ namespace {
 
 struct Task {
   BalancedProblem problem;
-  std::optional<BalancedSearch> search;     // from where it goes on
+  std::optional<BalancedSearch> search;   // from where it goes on
   std::optional<Placement> counted = {};  // with a capacity, in place of a search
   double capacity = 0;
 };
 
 std::optional<Task> task_of(std::string_view text, std::string_view settings,
-                              std::string_view robots) {
+                            std::string_view robots) {
   Result<Document> document = read_polygon(text);
   if (!document || !read_lines(settings, *document)) return std::nullopt;
   document->settings.method = Method::balanced;

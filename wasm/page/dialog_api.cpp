@@ -195,7 +195,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_refusal() {
 }
 
 // Of a vertex, or of the centre of mass if `vertex` is -1. `axis` is 0 for x and 1 for y.
-EMSCRIPTEN_KEEPALIVE const char* page_set_coordinate(int vertex, std::size_t axis, const char* text) {
+EMSCRIPTEN_KEEPALIVE const char* page_set_coordinate(int vertex, std::size_t axis,
+                                                     const char* text) {
   const AppState& state = app().state;
   const evenlift::Document& document = state.work.document();
   std::string problem;

@@ -274,14 +274,10 @@ EMSCRIPTEN_KEEPALIVE double page_screen_y(double x, double y) {
   return app().state.view.camera.to_screen({x, y}).y * app().state.session.screen.zoom;
 }
 EMSCRIPTEN_KEEPALIVE double page_world_x(double x, double y) {
-  return app()
-      .state.view.camera.to_world(evenlift::Vec2(x, y) / app().state.session.screen.zoom)
-      .x;
+  return app().state.view.camera.to_world(evenlift::Vec2(x, y) / app().state.session.screen.zoom).x;
 }
 EMSCRIPTEN_KEEPALIVE double page_world_y(double x, double y) {
-  return app()
-      .state.view.camera.to_world(evenlift::Vec2(x, y) / app().state.session.screen.zoom)
-      .y;
+  return app().state.view.camera.to_world(evenlift::Vec2(x, y) / app().state.session.screen.zoom).y;
 }
 
 // --- The page around the canvas

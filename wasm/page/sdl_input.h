@@ -42,10 +42,10 @@ class SdlInput {
     What what;
     Vec2 at;
     bool touch = false;
-    Uint32 time = 0;            // time of a finger's press, in milliseconds
-    int clicks = 0;             // a mouse's presses in one place
-    float wheel = 0;            // steps
-    Vec2 moved;  // motion of a pinch's middle
+    Uint32 time = 0;  // time of a finger's press, in milliseconds
+    int clicks = 0;   // a mouse's presses in one place
+    float wheel = 0;  // steps
+    Vec2 moved;       // motion of a pinch's middle
     double factor = 1;
   };
   struct Finger {

@@ -61,8 +61,7 @@ class Crossings {
     const double slope = (b.x - a.x) / (b.y - a.y);
     for (std::int64_t row = first; row < last; ++row) {
       const double y = window_.top + (static_cast<double>(row) + 0.5) * pixel_;
-      const std::int64_t column =
-          middle_after(a.x + (y - a.y) * slope - window_.left, columns_);
+      const std::int64_t column = middle_after(a.x + (y - a.y) * slope - window_.left, columns_);
       if (column < columns_)
         bits_[static_cast<std::size_t>(row * words_ + column / 64)] ^= std::uint64_t{1}
                                                                        << (column % 64);

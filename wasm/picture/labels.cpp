@@ -108,9 +108,7 @@ void Occupied::disc(const Vec2& middle, double radius) {
 }
 
 void Occupied::line(const Vec2& a, const Vec2& b) {
-  const auto column = [&](const Vec2& p) {
-    return static_cast<int>((p.x - window_.left) / cell);
-  };
+  const auto column = [&](const Vec2& p) { return static_cast<int>((p.x - window_.left) / cell); };
   const auto row = [&](const Vec2& p) { return static_cast<int>((p.y - window_.top) / cell); };
   // Most edges of an outline with many vertices lie within one cell.
   if (window_.contains(a) && window_.contains(b) && column(a) == column(b) && row(a) == row(b)) {
@@ -185,8 +183,7 @@ CoveragePlace place_coverage(const Placement& placement, const Vec2& before) {
   constexpr int steps = 28;
   for (int i = 1; i < steps; ++i) {
     for (int j = 1; j < steps; ++j) {
-      const Vec2 p(box.low.x + box.size().x * i / steps,
-                   box.low.y + box.size().y * j / steps);
+      const Vec2 p(box.low.x + box.size().x * i / steps, box.low.y + box.size().y * j / steps);
       const double room = clearance(placement, p);
       if (room > to_beat) {
         to_beat = room;

@@ -206,10 +206,8 @@ class Ears {
   bool is_ear(std::uint32_t i) const {
     const Node &b = nodes_[i], &a = nodes_[b.previous], &c = nodes_[b.next];
     if (!(turn(a, b, c) > 0)) return false;
-    const Vec2 low(std::min({a.at.x, b.at.x, c.at.x}),
-                   std::min({a.at.y, b.at.y, c.at.y}));
-    const Vec2 high(std::max({a.at.x, b.at.x, c.at.x}),
-                    std::max({a.at.y, b.at.y, c.at.y}));
+    const Vec2 low(std::min({a.at.x, b.at.x, c.at.x}), std::min({a.at.y, b.at.y, c.at.y}));
+    const Vec2 high(std::max({a.at.x, b.at.x, c.at.x}), std::max({a.at.y, b.at.y, c.at.y}));
     const std::uint32_t z_low = z_of(low), z_high = z_of(high);
     const auto blocks = [&](const Node& p) {
       if (&p == &a || &p == &b || &p == &c) return false;

@@ -17,20 +17,17 @@ std::optional<PartOfSegment> part_within(const Rect& rect, const Vec2& a, const 
     return part.from <= part.to;
   };
   const Vec2 along = b - a;
-  if (!bound(a.x, along.x, rect.left, rect.right) ||
-      !bound(a.y, along.y, rect.top, rect.bottom))
+  if (!bound(a.x, along.x, rect.left, rect.right) || !bound(a.y, along.y, rect.top, rect.bottom))
     return std::nullopt;
   return part;
 }
 
 Vec2 Camera::to_screen(const Vec2& world) const {
-  return {anchor.x + (world.x - centre.x) * scale,
-          anchor.y - (world.y - centre.y) * scale};
+  return {anchor.x + (world.x - centre.x) * scale, anchor.y - (world.y - centre.y) * scale};
 }
 
 Vec2 Camera::to_world(const Vec2& screen) const {
-  return {centre.x + (screen.x - anchor.x) / scale,
-          centre.y - (screen.y - anchor.y) / scale};
+  return {centre.x + (screen.x - anchor.x) / scale, centre.y - (screen.y - anchor.y) / scale};
 }
 
 Camera fit(const Points& points, const Rect& room) {

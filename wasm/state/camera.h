@@ -30,9 +30,9 @@ struct PartOfSegment {
 std::optional<PartOfSegment> part_within(const Rect& rect, const Vec2& a, const Vec2& b);
 
 struct Camera {
-  Vec2 centre;  // polygon coordinates at `anchor`
-  Vec2 anchor;  // pixels
-  double scale = 1;            // pixels per unit, > 0
+  Vec2 centre;       // polygon coordinates at `anchor`
+  Vec2 anchor;       // pixels
+  double scale = 1;  // pixels per unit, > 0
 
   Vec2 to_screen(const Vec2& world) const;
   Vec2 to_world(const Vec2& screen) const;

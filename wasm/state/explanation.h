@@ -28,10 +28,10 @@ struct Pick {
     cargo         // a weight on the object
   };
   Kind kind = Kind::none;
-  std::size_t index = 0;   // of the vertex, edge, team, candidate, weight or frame's grip
-  int end = 0;             // of a robot: its index in the team; r1 is 0, and r2 is 1
-  Vec2 at;  // in polygon coordinates; on an edge or chord, nearest to the pointer
-  bool second = false;     // the part is in the second method's picture
+  std::size_t index = 0;  // of the vertex, edge, team, candidate, weight or frame's grip
+  int end = 0;            // of a robot: its index in the team; r1 is 0, and r2 is 1
+  Vec2 at;                // in polygon coordinates; on an edge or chord, nearest to the pointer
+  bool second = false;    // the part is in the second method's picture
   bool operator==(const Pick&) const = default;
 };
 

@@ -20,8 +20,8 @@ constexpr double half_turn = 180;
 int sign(double value) { return (value > 0) - (value < 0); }
 
 bool within_box(const Vec2& a, const Vec2& b, const Vec2& p) {
-  return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) &&
-         std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
+  return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
+         p.y <= std::max(a.y, b.y);
 }
 
 bool meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {

@@ -61,10 +61,10 @@ Candidate opposite_chord(const Polygon& polygon, const Vec2& centre,
 // runs linearly along the section of edge a: r_a - C = (1 - x) a0 + x a1, and |C r_a| / |C r_b| =
 // (1 - x) q0 + x q1.
 struct PairRange {
-  std::uint32_t a = 0, b = 0;                 // the edges
-  Vec2 a0, a1;  // ends of edge a's section, relative to C
-  double q0 = 1, q1 = 1;                      // q(0) and q(1), > 0
-  double first = 0, last = 1;                 // the range's ends, first <= last
+  std::uint32_t a = 0, b = 0;  // the edges
+  Vec2 a0, a1;                 // ends of edge a's section, relative to C
+  double q0 = 1, q1 = 1;       // q(0) and q(1), > 0
+  double first = 0, last = 1;  // the range's ends, first <= last
 
   double q(double x) const { return (1 - x) * q0 + x * q1; }
 };

@@ -24,8 +24,8 @@ struct Placement {
   double weight() const { return total_weight(settings); }  // the weight that the robots share
 
   PolygonWithHoles object;
-  Vec2 own_centre;        // of the object without cargo: given, or the centroid
-  Vec2 centre_of_mass;    // C: that of the object with its cargo
+  Vec2 own_centre;                       // of the object without cargo: given, or the centroid
+  Vec2 centre_of_mass;                   // C: that of the object with its cargo
   Settings settings;                     // as given
   std::shared_ptr<const Stands> stands;  // null if stands_anywhere()
   std::vector<Candidate> candidates;     // in candidate order, whatever the method

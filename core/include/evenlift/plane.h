@@ -15,8 +15,7 @@ inline bool inside(const Points& polygon, const Vec2& p) {
   bool odd = false;
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
     const Vec2 &a = polygon[i], &b = polygon[j];
-    if ((a.y > p.y) != (b.y > p.y) &&
-        p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y))
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y))
       odd = !odd;
   }
   return odd;

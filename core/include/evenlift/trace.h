@@ -142,7 +142,7 @@ struct Trace {
 
   Placement placement;
   Vec2 centre;  // C, with all cargo
-  Units units;                 // for captions; the units change no number
+  Units units;  // for captions; the units change no number
 
   // The chords of ray i are chords[begins[i] .. begins[i + 1]). Chords that an earlier ray has
   // already listed come first; the `vertex` of such a chord is the vertex of the earlier ray.
@@ -364,9 +364,9 @@ OppositeDetail look_at_opposite(const Trace& trace, std::uint32_t index);
 // How much one end of a candidate would widen H.
 struct EndGain {
   bool outside = false;  // whether the end is outside H; otherwise its gain is 0
-  Vec2 h1, h2;  // the edge of H in the direction from C to p
-  Vec2 p;                      // the end
-  double value = 0;                           // f(p)
+  Vec2 h1, h2;           // the edge of H in the direction from C to p
+  Vec2 p;                // the end
+  double value = 0;      // f(p)
 };
 // The key at which a candidate dropped out of a choice. For the choice as a whole, it is the key at
 // which the last rival of the winner dropped out.
@@ -411,7 +411,7 @@ struct BalancedDetail {
   // In the steps `rest`, `mirror`, `completion`, `start` and `exchange`: how the set is completed.
   std::vector<LiftingPoint> rest;     // the robots that stay, and the one at a trial point
   std::optional<LiftingPoint> stand;  // the robot that came to a trial point
-  Vec2 middle;         // of the two other robots
+  Vec2 middle;                        // of the two other robots
   std::vector<Chord> chords;          // the even chords about the middle
   std::uint32_t chosen = 0;           // the index of the chord taken
   // In the step `exchange`: what changed since the preceding set.

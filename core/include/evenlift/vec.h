@@ -78,7 +78,9 @@ constexpr Vec2 componentwise_max(const Vec2& a, const Vec2& b) {
 }
 
 // (a.x b.x, a.y b.y).
-constexpr Vec2 componentwise_product(const Vec2& a, const Vec2& b) { return {a.x * b.x, a.y * b.y}; }
+constexpr Vec2 componentwise_product(const Vec2& a, const Vec2& b) {
+  return {a.x * b.x, a.y * b.y};
+}
 
 // An axis-aligned rectangle, given by its lower left and its upper right corner.
 struct Box {
@@ -113,12 +115,8 @@ struct Vec3 {
   friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
 };
 
-constexpr Vec3 operator+(const Vec3& a, const Vec3& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-constexpr Vec3 operator-(const Vec3& a, const Vec3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
+constexpr Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+constexpr Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 constexpr Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
 constexpr Vec3 operator*(double factor, const Vec3& a) {
   return {factor * a.x, factor * a.y, factor * a.z};
@@ -136,9 +134,7 @@ inline Vec3 unit(const Vec3& a) {
   const double squared = squared_length(a);
   return squared > 0 ? a / std::sqrt(squared) : a;
 }
-inline double one_norm(const Vec3& a) {
-  return std::fabs(a.x) + (std::fabs(a.y) + std::fabs(a.z));
-}
+inline double one_norm(const Vec3& a) { return std::fabs(a.x) + (std::fabs(a.y) + std::fabs(a.z)); }
 
 // The vector product.
 constexpr Vec3 cross(const Vec3& a, const Vec3& b) {

@@ -56,8 +56,7 @@ class Cover::Sum {
     Side side = Side::inside;
     for (std::size_t i = 0; i < hull_.size; ++i) {
       const double at = dot(normals_[i], middle) - bounds_[i];
-      const double reach =
-          std::fabs(normals_[i].x) * half.x + std::fabs(normals_[i].y) * half.y;
+      const double reach = std::fabs(normals_[i].x) * half.x + std::fabs(normals_[i].y) * half.y;
       if (at >= reach) return Side::outside;
       if (at > -reach) side = Side::both;
     }

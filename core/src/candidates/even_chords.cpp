@@ -60,10 +60,8 @@ class EvenChords::Search {
 
  private:
   bool can_meet(const Box& a, const Box& b) const {
-    return a.low.x + b.low.x <= twice_.x + slack_ &&
-           a.low.y + b.low.y <= twice_.y + slack_ &&
-           a.high.x + b.high.x >= twice_.x - slack_ &&
-           a.high.y + b.high.y >= twice_.y - slack_;
+    return a.low.x + b.low.x <= twice_.x + slack_ && a.low.y + b.low.y <= twice_.y + slack_ &&
+           a.high.x + b.high.x >= twice_.x - slack_ && a.high.y + b.high.y >= twice_.y - slack_;
   }
 
   void visit(std::uint32_t i, std::uint32_t j) {

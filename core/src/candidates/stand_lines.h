@@ -15,8 +15,8 @@ namespace evenlift {
 // An edge moved inward, relative to C. The line's point at the parameter t is C + at(t).
 struct StandLine {
   std::uint32_t edge = 0;
-  Vec2 start, along;  // `along` is a unit vector
-  double low = 0, high = 0;                         // the first and the last usable t
+  Vec2 start, along;         // `along` is a unit vector
+  double low = 0, high = 0;  // the first and the last usable t
   Stands::Stretches usable{nullptr, nullptr};
   // The distance of the line from C: cross(start, along), which is positive if the line runs
   // counter-clockwise about C.

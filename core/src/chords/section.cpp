@@ -27,8 +27,7 @@ Across look_across(const Vec2& centre, const Vec2& w, const Vec2& b, const Vec2&
 
 std::optional<double> estimate_across(const Vec2& centre, const Vec2& w, const Vec2& b,
                                       const Vec2& c, double doubled_area) {
-  const double first = (centre.x - w.x) * (c.y - b.y),
-               second = (centre.y - w.y) * (c.x - b.x);
+  const double first = (centre.x - w.x) * (c.y - b.y), second = (centre.y - w.y) * (c.x - b.x);
   // The two products together have an error below 2^-50 of their sizes; the relative error of the
   // area is below 2^-45.
   constexpr double filter_threshold = 0x1p-15, smallest_safe = 0x1p-800;

@@ -14,9 +14,7 @@ namespace evenlift {
 // The map (x, y) -> (a x + c y + e, b x + d y + f).
 struct Affine {
   double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
-  Vec2 operator()(const Vec2& p) const {
-    return {a * p.x + c * p.y + e, b * p.x + d * p.y + f};
-  }
+  Vec2 operator()(const Vec2& p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
   // The map that applies `inner` first and then this map.
   Affine operator*(const Affine& inner) const;
 };
@@ -31,7 +29,7 @@ struct CurvePiece {
   Kind kind;
   Vec2 end;
   Vec2 first, second;  // control points: a conic has only the first
-  double weight = 1;                                 // of a conic's control point, in (0, 1]
+  double weight = 1;   // of a conic's control point, in (0, 1]
 };
 
 inline constexpr std::size_t max_spline_degree = 10;

@@ -80,8 +80,8 @@ class Converter {
     const WeightedPoint* p = curve.points;
     const double weight = p[1].z / std::sqrt(p[0].z) / std::sqrt(p[2].z);
     if (!(weight > 0 && weight <= 1)) return false;
-    outline_.pieces.push_back({CurvePiece::Kind::conic, origin_ + plain(p[2]),
-                               origin_ + plain(p[1]), Vec2{}, weight});
+    outline_.pieces.push_back(
+        {CurvePiece::Kind::conic, origin_ + plain(p[2]), origin_ + plain(p[1]), Vec2{}, weight});
     return true;
   }
 

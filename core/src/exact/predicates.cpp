@@ -69,9 +69,8 @@ double cross_of_differences(const Vec2& a0, const Vec2& a1, const Vec2& b0, cons
   return adaptive_determinant(
       coarse, std::fabs(coarse.x1 * coarse.y2), std::fabs(coarse.x2 * coarse.y1),
       [&] {
-        return Products<DoubleDouble>{
-            fine_difference(a1.x, a0.x), fine_difference(a1.y, a0.y),
-            fine_difference(b1.x, b0.x), fine_difference(b1.y, b0.y)};
+        return Products<DoubleDouble>{fine_difference(a1.x, a0.x), fine_difference(a1.y, a0.y),
+                                      fine_difference(b1.x, b0.x), fine_difference(b1.y, b0.y)};
       },
       [&] {
         return Products<Dyadic>{exact_difference(a1.x, a0.x), exact_difference(a1.y, a0.y),
@@ -110,10 +109,9 @@ double orient_mirrored(const Vec2& centre, const Vec2& w, const Vec2& b, const V
             fine_difference(c.x, b.x), fine_difference(c.y, b.y)};
       },
       [&] {
-        return Products<Dyadic>{
-            exact_difference(b.x, centre.x) + exact_difference(w.x, centre.x),
-            exact_difference(b.y, centre.y) + exact_difference(w.y, centre.y),
-            exact_difference(c.x, b.x), exact_difference(c.y, b.y)};
+        return Products<Dyadic>{exact_difference(b.x, centre.x) + exact_difference(w.x, centre.x),
+                                exact_difference(b.y, centre.y) + exact_difference(w.y, centre.y),
+                                exact_difference(c.x, b.x), exact_difference(c.y, b.y)};
       });
 }
 

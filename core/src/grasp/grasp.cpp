@@ -15,8 +15,7 @@ using Touch = Grasp::Touch;
 
 // Whether a touch's edge has a direction in [0, 180) degrees. Comparing coordinates is exact.
 bool points_up(const Touch& touch) {
-  return touch.to.y > touch.from.y ||
-         (touch.to.y == touch.from.y && touch.to.x > touch.from.x);
+  return touch.to.y > touch.from.y || (touch.to.y == touch.from.y && touch.to.x > touch.from.x);
 }
 
 double turn_of(const Touch& a, const Touch& b) {

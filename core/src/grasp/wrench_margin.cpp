@@ -29,8 +29,7 @@ int orient3(const Wrench& a, const Wrench& b, const Wrench& c, const Wrench& d) 
   if (d == a || d == b || d == c) return 0;  // most of the others: hull_facets() asks about corners
   using Row = std::array<Dyadic, 3>;
   const auto difference = [&](const Wrench& v) {
-    return Row{Dyadic(v.x) - Dyadic(a.x), Dyadic(v.y) - Dyadic(a.y),
-               Dyadic(v.z) - Dyadic(a.z)};
+    return Row{Dyadic(v.x) - Dyadic(a.x), Dyadic(v.y) - Dyadic(a.y), Dyadic(v.z) - Dyadic(a.z)};
   };
   const Row x = difference(b), y = difference(c), z = difference(d);
   return (x[0] * (y[1] * z[2] - y[2] * z[1]) + x[1] * (y[2] * z[0] - y[0] * z[2]) +
@@ -99,7 +98,9 @@ double distance_of_plane(const Wrench& a, const Wrench& b, const Wrench& c) {
   if (squared_length(normal) > not_a_sliver * squared_length(p) * squared_length(q))
     return dot(normal, a) / length(normal);
 
-  const auto difference = [&](const Wrench& v, std::size_t i) { return Dyadic(v[i]) - Dyadic(a[i]); };
+  const auto difference = [&](const Wrench& v, std::size_t i) {
+    return Dyadic(v[i]) - Dyadic(a[i]);
+  };
   const auto component = [&](std::size_t i, std::size_t j) {
     return difference(b, i) * difference(c, j) - difference(b, j) * difference(c, i);
   };

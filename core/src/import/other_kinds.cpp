@@ -78,7 +78,6 @@ constexpr char gerber[] =
 // A file shows its kind within these.
 constexpr std::size_t first_lines_of_text = 500, first_bytes = 65536;
 
-
 bool contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }

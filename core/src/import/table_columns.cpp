@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::size_t first_lines = 200;  // the first row is among them
 
-
 // Headings never begin with a number, even in quotes.
 bool has_number_first(std::string_view line) {
   line.remove_prefix(std::min(line.find_first_not_of(" \t\"+-.,;|"), line.size()));

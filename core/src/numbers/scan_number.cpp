@@ -13,7 +13,6 @@ namespace {
 
 static_assert(FLT_EVAL_METHOD == 0, "a product of doubles must be rounded once, to a double");
 
-
 // At most 768 digits decide the rounding, so beyond `limit` it matters only whether a digit other
 // than 0 follows.
 struct SignificantDigits {

@@ -67,8 +67,7 @@ class Lift {
   }
   Points box() const {
     const Box box = bounding_box(of_.placement.vertices());
-    return seen(
-        {box.low, Vec2(box.high.x, box.low.y), box.high, Vec2(box.low.x, box.high.y)});
+    return seen({box.low, Vec2(box.high.x, box.low.y), box.high, Vec2(box.low.x, box.high.y)});
   }
 
  private:

@@ -45,7 +45,11 @@ std::uint32_t EdgeTree::build(const std::vector<LineEnds>& lines, std::uint32_t 
   const std::uint32_t middle = begin + (end - begin) / 2;
   const std::uint32_t left = build(lines, begin, middle), right = build(lines, middle, end);
   const Box &a = nodes_[left].box, &b = nodes_[right].box;
-  nodes_[node] = {{componentwise_min(a.low, b.low), componentwise_max(a.high, b.high)}, begin, end, left, right};
+  nodes_[node] = {{componentwise_min(a.low, b.low), componentwise_max(a.high, b.high)},
+                  begin,
+                  end,
+                  left,
+                  right};
   return node;
 }
 

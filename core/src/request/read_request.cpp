@@ -32,9 +32,7 @@ constexpr CommandEntry commands[] = {
      {"polygon", "holes", "text", "centre_of_mass", "settings", "candidates", "failures",
       "even_out", "require"}},
     {"candidates", Command::candidates, {"polygon", "holes", "text", "centre_of_mass", "settings"}},
-    {"svg",
-     Command::svg,
-     {"polygon", "holes", "text", "centre_of_mass", "settings", "candidates"}},
+    {"svg", Command::svg, {"polygon", "holes", "text", "centre_of_mass", "settings", "candidates"}},
     {"poses",
      Command::poses,
      {"polygon", "holes", "text", "centre_of_mass", "settings", "format", "frame", "origin"}},
@@ -322,7 +320,9 @@ Problem Reader::take_polygons(Request& request) const {
     if (request.polygons.size() == max_request_polygons)
       return error(i, "there are more than 10000 polygons", ErrorCode::unsupported);
     if (tree_.kind(i) != Kind::object) return error(i, "each of \"polygons\" must be an object");
-    if (auto wrong = check_members(i, {"name", "set", "polygon", "holes", "text", "centre_of_mass"})) return wrong;
+    if (auto wrong =
+            check_members(i, {"name", "set", "polygon", "holes", "text", "centre_of_mass"}))
+      return wrong;
     NamedPolygon polygon{"polygons", "polygon " + std::to_string(request.polygons.size() + 1),
                          document(i)};
     for (const auto& [member, into] :
@@ -393,8 +393,7 @@ Result<Request> Reader::read() const {
   Request request;
   Names allowed;
   if (auto wrong = take_command(request, allowed)) return *std::move(wrong);
-  if (auto wrong = check_members(0, allowed))
-    return *std::move(wrong);
+  if (auto wrong = check_members(0, allowed)) return *std::move(wrong);
   if (request.command == Command::version) return request;
   if (request.command == Command::experiment) {
     if (auto wrong = take_polygons(request)) return *std::move(wrong);
@@ -439,7 +438,7 @@ std::string RequestReader::text(std::string_view name) const {
 double RequestReader::number(std::string_view name) const {
   const auto at = tree_.member(0, name);
   return at && tree_.kind(*at) == Kind::number ? tree_.number(*at)
-                                                    : std::numeric_limits<double>::quiet_NaN();
+                                               : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::vector<std::string> RequestReader::texts(std::string_view name) const {

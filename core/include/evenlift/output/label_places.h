@@ -15,7 +15,7 @@ using evenlift::Box;
 using Segment = std::pair<Vec2, Vec2>;
 
 struct Request {
-  Box owner;                 // the box around the thing that the label names
+  Box owner;  // the box around the thing that the label names
   Vec2 away;  // the preferred direction from the owner, as a vector of any length
   Vec2 size;  // of the label
 };

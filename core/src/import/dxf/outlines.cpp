@@ -78,8 +78,7 @@ DxfDrawn circle(DxfEntity& entity, double) {
   const Vec2 centre = entity.point_of(10);
   const double radius = entity.number_of(40, 0);
   if (!(radius > 0)) return {};
-  return {placed(entity, Outline::ellipse({radius, 0, 0, radius, centre.x, centre.y})),
-          "circle"};
+  return {placed(entity, Outline::ellipse({radius, 0, 0, radius, centre.x, centre.y})), "circle"};
 }
 
 // The angle counter-clockwise from one direction to another, in (0, whole], where `whole` is a full

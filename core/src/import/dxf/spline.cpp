@@ -37,8 +37,7 @@ Spline read_spline(DxfEntity& entity) {
   Spline spline;
   for (const DxfGroup& group : entity.groups) {
     if (group.code == 10) spline.control.push_back({entity.number(group), 0});
-    if (group.code == 20 && !spline.control.empty())
-      spline.control.back().y = entity.number(group);
+    if (group.code == 20 && !spline.control.empty()) spline.control.back().y = entity.number(group);
     if (group.code == 40) spline.knots.push_back(entity.number(group));
     if (group.code == 41) spline.weights.push_back(entity.number(group));
     spline.has_fit_points = spline.has_fit_points || group.code == 11;

@@ -24,12 +24,8 @@ struct Look {
 Look look_of(const GraphEdge& edge) {
   const bool back = edge.from > edge.to;
   const CurvePiece& curve = edge.curve;
-  Look look{std::min(edge.from, edge.to),
-            std::max(edge.from, edge.to),
-            curve.kind,
-            Vec2{},
-            Vec2{},
-            1};
+  Look look{
+      std::min(edge.from, edge.to), std::max(edge.from, edge.to), curve.kind, Vec2{}, Vec2{}, 1};
   if (curve.kind == PieceKind::line) return look;
   look.first = curve.kind == PieceKind::cubic && back ? curve.second : curve.first;
   look.second = curve.kind == PieceKind::cubic ? (back ? curve.first : curve.second) : look.first;
@@ -186,8 +182,8 @@ class Graph {
 
   bool is_on_line(std::size_t before, std::size_t after) const {
     const GraphEdge &a = edges_[before / 2], &b = edges_[after / 2];
-    return before / 2 != after / 2 && a.curve.kind == PieceKind::line && b.curve.kind == PieceKind::line &&
-           a.line == b.line;
+    return before / 2 != after / 2 && a.curve.kind == PieceKind::line &&
+           b.curve.kind == PieceKind::line && a.line == b.line;
   }
 
   void add_face(const std::vector<std::size_t>& cycle, std::vector<Face>& faces) const {

@@ -45,8 +45,7 @@ Result<Projection> Projection::about_middle(const Box& box) {
   if (beyond(1, greatest_latitude))
     return refused("a latitude is beyond 85 degrees, too near a pole for a plane in metres");
   static_assert(greatest_latitude == 85, "the message names the number");
-  if (box.size().x > 180)
-    return refused("the coordinates are on both sides of the 180th meridian");
+  if (box.size().x > 180) return refused("the coordinates are on both sides of the 180th meridian");
   const Vec2 middle = box.middle();
   return Projection({with_four_decimals(middle.x), with_four_decimals(middle.y)}, box);
 }

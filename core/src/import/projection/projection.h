@@ -24,7 +24,9 @@ class Projection {
   static Result<Projection> about_middle(const Box& box);
 
   // Metres east (x) and north (y) of the origin. O(1).
-  Vec2 metres(const Vec2& degrees) const { return componentwise_product(degrees - origin_, scale_); }
+  Vec2 metres(const Vec2& degrees) const {
+    return componentwise_product(degrees - origin_, scale_);
+  }
 
   // The origin in degrees, with at most four decimals.
   const Vec2& origin() const { return origin_; }

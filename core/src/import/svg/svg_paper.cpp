@@ -109,8 +109,7 @@ Affine fitted(const SvgViewBox& box, const Vec2& size, std::string_view aspect_t
   const Vec2 room(size.x - scale.x * box.size.x, size.y - scale.y * box.size.y);
   const double across = aspect.stretched ? 0 : aspect.across * room.x;
   const double down = aspect.stretched ? 0 : aspect.down * room.y;
-  return {
-      scale.x, 0, 0, scale.y, across - scale.x * box.low.x, down - scale.y * box.low.y};
+  return {scale.x, 0, 0, scale.y, across - scale.x * box.low.x, down - scale.y * box.low.y};
 }
 
 SvgPaper paper_of(const SvgSize& size) {

@@ -124,8 +124,8 @@ bool SvgReader::transform(const pugi::xml_node& node, const SvgDeclared& declare
       checked(node, "drawing",
               svg_transform_origin(origin_text, inside.viewport.width, inside.viewport.height));
   if (!origin) return false;
-  inside.matrix =
-      inside.matrix * translation(origin->x, origin->y) * *matrix * translation(-origin->x, -origin->y);
+  inside.matrix = inside.matrix * translation(origin->x, origin->y) * *matrix *
+                  translation(-origin->x, -origin->y);
   return true;
 }
 

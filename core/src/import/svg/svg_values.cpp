@@ -199,8 +199,8 @@ class PathReader {
   std::size_t at_ = 0;
   std::vector<SvgOutline> outlines_;
   Vec2 position_, origin_;  // origin_: of a command's coordinates
-  bool open_ = false;                                     // an outline has begun
-  char last_ = 0;                                         // the last command, in lower case
+  bool open_ = false;       // an outline has begun
+  char last_ = 0;           // the last command, in lower case
   Vec2 last_control_;
   std::size_t parts_ = 0;
   std::string problem_;
@@ -249,8 +249,7 @@ bool PathReader::arc(const Vec2& from) {
   // SVG 1.1, F.6.5, with the ellipse as the unit circle.
   const Affine turn = rotation(v[2]);
   const Vec2 half = (from - end) / 2;
-  Vec2 h((turn.a * half.x + turn.b * half.y) / rx,
-         (turn.c * half.x + turn.d * half.y) / ry);
+  Vec2 h((turn.a * half.x + turn.b * half.y) / rx, (turn.c * half.x + turn.d * half.y) / ry);
   const double size = length(h);
   if (size > 1) {  // an ellipse too small to reach both ends grows
     rx *= size;
@@ -260,8 +259,8 @@ bool PathReader::arc(const Vec2& from) {
   const double squared = dot(h, h);
   const double away = std::sqrt(std::max(0.0, (1 - squared) / squared));
   const Vec2 centre = (large == sweep ? -away : away) * Vec2(h.y, -h.x);
-  const Affine frame = Affine{1, 0, 0, 1, (from.x + end.x) / 2, (from.y + end.y) / 2} *
-                       turn * Affine{rx, 0, 0, ry, rx * centre.x, ry * centre.y};
+  const Affine frame = Affine{1, 0, 0, 1, (from.x + end.x) / 2, (from.y + end.y) / 2} * turn *
+                       Affine{rx, 0, 0, ry, rx * centre.x, ry * centre.y};
   outline().arc_to(frame, h - centre, -h - centre, sweep, large, end);
   return true;
 }

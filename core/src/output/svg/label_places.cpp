@@ -19,8 +19,7 @@ constexpr double room = 2;                    // between two labels
 constexpr std::size_t large_outline = 20000;  // has no visible interior
 
 bool overlap(const Box& a, const Box& b) {
-  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y &&
-         b.low.y < a.high.y;
+  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
 Box grown(const Box& box, double by) {
@@ -29,8 +28,8 @@ Box grown(const Box& box, double by) {
 }
 
 bool contains(const Box& box, const Box& inner) {
-  return box.low.x <= inner.low.x && box.low.y <= inner.low.y &&
-         inner.high.x <= box.high.x && inner.high.y <= box.high.y;
+  return box.low.x <= inner.low.x && box.low.y <= inner.low.y && inner.high.x <= box.high.x &&
+         inner.high.y <= box.high.y;
 }
 
 Box bounds(const Segment& s) {
@@ -39,8 +38,7 @@ Box bounds(const Segment& s) {
 }
 
 bool touches(const Box& a, const Box& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y &&
-         b.low.y <= a.high.y;
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
 }
 
 // Whether the segment's bounds touch the box, which has corners on both sides of the segment's

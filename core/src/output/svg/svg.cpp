@@ -325,14 +325,13 @@ class Drawing {
       const Vec2 size = box.high - box.low;
       constexpr const char* white = "#FFFFFF";
       const bool beneath = stands_[i].beneath;  // pale, with a dashed rim
-      out += element("rect", attribute("class", beneath ? "robot beneath" : "robot") +
-                                 attribute("x", box.low.x) + attribute("y", box.low.y) +
-                                 attribute("width", size.x) + attribute("height", size.y) +
-                                 attribute("rx", disc_) +
-                                 attribute("fill", beneath ? white : text_colour) +
-                                 attribute("stroke", beneath ? text_colour : white) +
-                                 attribute("stroke-width", 1.5) +
-                                 (beneath ? " stroke-dasharray=\"3 2\"" : ""));
+      out += element(
+          "rect",
+          attribute("class", beneath ? "robot beneath" : "robot") + attribute("x", box.low.x) +
+              attribute("y", box.low.y) + attribute("width", size.x) + attribute("height", size.y) +
+              attribute("rx", disc_) + attribute("fill", beneath ? white : text_colour) +
+              attribute("stroke", beneath ? text_colour : white) + attribute("stroke-width", 1.5) +
+              (beneath ? " stroke-dasharray=\"3 2\"" : ""));
       out += centred(stands_[i].at, number_size_, stands_[i].numbers,
                      attribute("fill", beneath ? text_colour : white));
     }

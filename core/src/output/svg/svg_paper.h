@@ -13,7 +13,7 @@ struct Paper {
 
   double width = 0, height = 0;  // the size of the ground
   double scale = 1;              // pixels per unit of length
-  Vec2 middle;    // the middle of the object's box, in polygon coordinates
+  Vec2 middle;                   // the middle of the object's box, in polygon coordinates
 
   Vec2 operator()(const Vec2& p) const;
   Points operator()(const Points& points) const;

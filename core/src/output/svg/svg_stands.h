@@ -13,7 +13,7 @@
 namespace evenlift::svg {
 
 struct Stand {
-  Vec2 at;           // in pixels
+  Vec2 at;                          // in pixels
   std::string numbers;              // "3", "1·4", "×5" for five robots
   std::size_t team = 0;             // from 1; 0 if robots share it or are not in teams of two
   std::vector<LoadRange> loads;     // the robots' loads

@@ -21,12 +21,12 @@ const char* side_of(const Vec2& way) {
     return way.x > 0 ? "to the right of the centre of mass" : "to the left of the centre of mass";
   if (across <= flat * along)
     return way.y > 0 ? "straight up from the centre of mass"
-                       : "straight down from the centre of mass";
+                     : "straight down from the centre of mass";
   if (way.y > 0)
     return way.x > 0 ? "to the upper right of the centre of mass"
-                       : "to the upper left of the centre of mass";
+                     : "to the upper left of the centre of mass";
   return way.x > 0 ? "to the lower right of the centre of mass"
-                     : "to the lower left of the centre of mass";
+                   : "to the lower left of the centre of mass";
 }
 
 std::string as_a_sentence(std::string words) {

@@ -182,8 +182,8 @@ std::string StepFormulas::coverage() const {
 std::string StepFormulas::cut() const {
   const Contact& contact = trace_.contacts[item_];
   const Vec2 n = inward_normal(trace_.polygon(), contact.edge);
-  return fill("normal n = ({x}, {y}) at {point}", {with_decimals(n.x, 3), with_decimals(n.y, 3),
-                                                   point_text(trace_, contact.position)});
+  return fill("normal n = ({x}, {y}) at {point}",
+              {with_decimals(n.x, 3), with_decimals(n.y, 3), point_text(trace_, contact.position)});
 }
 
 std::string StepFormulas::closure() const {
