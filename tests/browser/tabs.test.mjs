@@ -34,7 +34,12 @@ async function fresh() {
       ServiceWorkerContainer.prototype.register = () => Promise.reject(new Error("not here"));
   });
 }
-const tab = (address = "") => browser.open({ context, address });
+// The kept steps are there when nothing is under way.
+async function tab(address = "") {
+  const page = await browser.open({ context, address });
+  await idle(page);
+  return page;
+}
 
 async function focused(page) {
   await page.bringToFront();

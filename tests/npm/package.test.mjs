@@ -53,6 +53,30 @@ function runInProject(name, code) {
   return execFileSync(process.execPath, [name], { cwd: project, encoding: "utf8" });
 }
 
+test("its module needs nothing of its host but a clock and news, which only the page uses", () => {
+  const module = new WebAssembly.Module(readFileSync(path.join(packageFolder, "evenlift.wasm")));
+  const needed = WebAssembly.Module.imports(module).map(({ module: from, name }) => `${from}.${name}`);
+  const known = [
+    "host.now",
+    "host.report",
+    "env.emscripten_notify_memory_growth",
+    "wasi_snapshot_preview1.proc_exit",
+    // newer Emscripten
+    "wasi_snapshot_preview1.fd_write",
+    "wasi_snapshot_preview1.fd_close",
+    "wasi_snapshot_preview1.fd_seek",
+  ];
+  assert.deepEqual(
+    needed.filter((name) => !known.includes(name)),
+    [],
+  );
+});
+
+test("it refuses the kinds of requests that are the page's own", () => {
+  for (const command of ["speak", "search", "choose", "measure", "results", "optimum", "shapes", "handout", "qr"])
+    assert.equal(JSON.parse(run({ command })).error.code, "unsupported", command);
+});
+
 test("it has what it needs and nothing else, and the version of the project", () => {
   assert.deepEqual(packed.files.map((file) => file.path).sort(), [
     "LICENSE",
@@ -61,6 +85,7 @@ test("it has what it needs and nothing else, and the version of the project", ()
     "evenlift.d.ts",
     "evenlift.js",
     "evenlift.wasm",
+    "licences.txt",
     "node.js",
     "package.json",
   ]);

@@ -139,7 +139,7 @@ test("after one visit it opens without a network: the work, a link, a lesson, an
   await page.evaluate(() => evenlift.ready);
   await idle(page);
   assert.deepEqual(await state(page), mine);
-  await set(page, { metric: "balanced", robots: 5 }); // a worker, with a separate module
+  await set(page, { metric: "balanced", robots: 5 }); // a worker, with the core
   await idle(page);
   assert.equal((await state(page)).robots.length, 5);
   assert.equal(await noticed(page), "");

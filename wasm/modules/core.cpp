@@ -86,6 +86,16 @@ std::string qr_code(const RequestMembers& members) {
 
 }  // namespace evenlift::view
 
+namespace {
+
+char* handed_over(const std::string& answer) {
+  auto* copy = static_cast<char*>(std::malloc(answer.size() + 1));
+  if (copy) std::memcpy(copy, answer.c_str(), answer.size() + 1);
+  return copy;
+}
+
+}  // namespace
+
 extern "C" {
 
 // Returns 0 if memory is too low. Free with evenlift_free().
@@ -107,14 +117,15 @@ EMSCRIPTEN_KEEPALIVE const double* evenlift_numbers_at() {
   return evenlift::view::numbers().data();
 }
 
-// Answers a request. The answer ends with a zero byte; free it with evenlift_free(). Returns 0 if
-// memory is too low.
+// Answers a request of docs/requests.md. The answer ends with a zero byte; free it with
+// evenlift_free(). Returns 0 if memory is too low.
 EMSCRIPTEN_KEEPALIVE char* evenlift_answer(const char* request, std::size_t bytes) {
-  const std::string answer =
-      evenlift::answer(std::string_view(request, bytes), evenlift::view::kinds);
-  auto* copy = static_cast<char*>(std::malloc(answer.size() + 1));
-  if (copy) std::memcpy(copy, answer.c_str(), answer.size() + 1);
-  return copy;
+  return handed_over(evenlift::answer(std::string_view(request, bytes)));
+}
+
+// The same for the page's workers, whose requests may also be of the kinds above.
+EMSCRIPTEN_KEEPALIVE char* evenlift_answer_page(const char* request, std::size_t bytes) {
+  return handed_over(evenlift::answer(std::string_view(request, bytes), evenlift::view::kinds));
 }
 
 // The names of all settings that requests take, separated by commas.

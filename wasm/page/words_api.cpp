@@ -1,4 +1,4 @@
-// Translations for the page and its modules (web/page/language.js).
+// Translations for the page (web/page/language.js).
 #include <emscripten/emscripten.h>
 
 #include "evenlift/wording.h"

@@ -18,6 +18,12 @@ async function compile() {
   return WebAssembly.compile(await answer.arrayBuffer()); // whatever type the server declares
 }
 
+// Half a surrogate pair has no place in JSON.
+const asJson = (request) =>
+  JSON.stringify(request, (_, value) =>
+    typeof value === "string" ? value.replace(/\p{Surrogate}/gu, "\ufffd") : value,
+  );
+
 export class Core {
   #starting;
   #worker;
@@ -32,13 +38,14 @@ export class Core {
     await this.#starting;
     return new Promise((done, fail) => {
       if (this.#ended) return fail(this.#ended);
+      this.#worker.postMessage({ request: asJson(request), numbers }, numbers ? [numbers.buffer] : []);
       this.#waiting.push({ done, fail, progress });
-      this.#worker.postMessage({ request: JSON.stringify(request), numbers }, numbers ? [numbers.buffer] : []);
     });
   }
 
   async #start() {
     try {
+      if (typeof Worker !== "function") throw new Error("this browser has no workers");
       const module = await compiled();
       if (this.#ended) throw this.#ended;
       this.#worker = new Worker(new URL("core_worker.js", import.meta.url));
@@ -56,12 +63,11 @@ export class Core {
 
   #take({ progress, answer, numbers, stopped }) {
     if (stopped) return this.end(new Error(stopped));
-    if (progress) return this.#waiting[0].progress?.(JSON.parse(progress));
+    if (progress) return this.#waiting[0]?.progress?.(JSON.parse(progress));
     const { done, fail } = this.#waiting.shift();
-    if (numbers) return done(numbers);
     const given = JSON.parse(answer);
     if (given.problem !== undefined || given.error) fail(new Error(given.problem ?? given.error.message));
-    else done(given);
+    else done(numbers ?? given);
   }
 
   // Ends the worker and rejects what it was asked.

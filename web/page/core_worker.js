@@ -29,21 +29,21 @@ function start(module) {
 function answer(request, numbers) {
   const bytes = new TextEncoder().encode(request);
   const at = core.evenlift_room(bytes.length + 1);
-  if (!at) throw new WebAssembly.RuntimeError("There is not enough memory");
+  if (!at) throw new WebAssembly.RuntimeError();
   new Uint8Array(core.memory.buffer, at, bytes.length).set(bytes);
   if (numbers) {
     const room = core.evenlift_numbers(numbers.length);
     new Float64Array(core.memory.buffer, room, numbers.length).set(numbers);
   }
-  const found = core.evenlift_answer(at, bytes.length);
+  const found = core.evenlift_answer_page(at, bytes.length);
   core.evenlift_free(at);
-  if (!found) throw new WebAssembly.RuntimeError("There is not enough memory");
+  if (!found) throw new WebAssembly.RuntimeError();
   const text = textAt(found);
   core.evenlift_free(found);
   if (!numbers) return postMessage({ answer: text });
   const from = core.evenlift_numbers_at();
   const copy = new Float64Array(core.memory.buffer.slice(from, from + 8 * core.evenlift_numbers_count()));
-  postMessage({ numbers: copy }, [copy.buffer]);
+  postMessage({ answer: text, numbers: copy }, [copy.buffer]);
 }
 
 addEventListener("message", ({ data: { module, request, numbers } }) => {
@@ -51,6 +51,7 @@ addEventListener("message", ({ data: { module, request, numbers } }) => {
     if (module) start(module);
     else answer(request, numbers);
   } catch (error) {
-    postMessage({ stopped: error.message });
+    // What traps in the core is memory that is too low.
+    postMessage({ stopped: error instanceof WebAssembly.RuntimeError ? "There is not enough memory" : error.message });
   }
 });

@@ -20,6 +20,7 @@ async function compile(name) {
 
 // After a new version was published, the browser may have kept some files of the old one. Makes it take all anew.
 async function notLoaded(cause) {
+  if (cause instanceof WebAssembly.CompileError) throw cause; // the browser cannot run it
   await Promise.allSettled(["page.js", "evenlift.js", "evenlift.wasm"].map((name) => fetch(name, { cache: "reload" })));
   throw new NotLoaded(cause);
 }

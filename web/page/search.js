@@ -8,28 +8,28 @@ export function createSearch(call) {
   let core;
   let wanted = 0; // the number of the search under way, or 0
 
-  function over() {
+  // A search that is no longer wanted would keep its worker.
+  function stop() {
     if (!wanted) return;
     wanted = 0;
+    core.end();
     end();
   }
 
-  // A search that is no longer wanted would keep its worker.
-  function stop() {
-    if (wanted) core.end();
-    over();
-  }
-
+  // The search ends before the program takes its result, since the program may begin another one at once.
   async function search(number, request) {
     const goesOn = () => wanted === number;
-    try {
-      const progress = ({ robots }) => goesOn() && call("page_take_robots", number, robots, 0);
-      const { robots } = await core.ask(request, { progress });
-      if (goesOn()) call("page_take_robots", number, robots, 1);
-    } catch {
-      if (goesOn()) call("page_search_failed", number);
-    }
-    if (goesOn()) over();
+    const tell = (...result) => {
+      if (!goesOn()) return;
+      wanted = 0;
+      call(...result);
+      end();
+    };
+    const progress = ({ robots }) => goesOn() && call("page_take_robots", number, robots, 0);
+    await core.ask(request, { progress }).then(
+      ({ robots }) => tell("page_take_robots", number, robots, 1),
+      () => tell("page_search_failed", number),
+    );
   }
 
   return {

@@ -93,6 +93,7 @@ function whatThereIs(what, { shapes, doubtful }) {
 
 // `found` comes from readShapes. `choose` opens a shape, and returns why it was refused, or undefined.
 export async function showShapes({ what, text, found, tolerance = 0, choose }) {
+  let readings = 0;
   const problem = problemLine();
   const notes = el("p", { class: "second" });
   const whole = el("figure", { class: "drawing" });
@@ -181,7 +182,9 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
       );
       return curves.focus();
     }
+    const mine = ++readings;
     const again = await readShapes(text, wanted ?? 0);
+    if (mine !== readings) return; // a later reading counts
     problem.say(again.problem);
     if (again.problem) return curves.focus();
     found = again;

@@ -49,7 +49,9 @@ struct RequestKind {
   std::string (*answer)(const RequestMembers& members);
 };
 
-// As above, but first looks for the command among these kinds.
+// As above, but first looks for the command among these kinds. The request may be longer: the text
+// of a file, which may have max_text_bytes, is longer as JSON, and so are many results.
+inline constexpr std::size_t max_bytes_of_own_kinds = 8 * max_request_bytes;
 std::string answer(std::string_view request, std::span<const RequestKind> kinds);
 
 }  // namespace evenlift

@@ -408,7 +408,9 @@ Result<Request> Reader::read() const {
 
 Result<RequestReader> RequestReader::read(std::string_view text, std::size_t most) {
   if (text.size() > most)
-    return InputError{ErrorCode::text_too_long, "the request is longer than 64 MiB", {}};
+    return InputError{ErrorCode::text_too_long,
+                      "the request is longer than " + std::to_string(most >> 20) + " MiB",
+                      {}};
   Result<JsonTree> tree = JsonTree::read(text);
   if (!tree) return tree.error();
   if (tree->kind(tree->root()) != Kind::object)

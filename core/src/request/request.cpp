@@ -98,8 +98,7 @@ std::string experiment_answer(const Request& request) {
 std::string answer(std::string_view request) { return answer(request, {}); }
 
 std::string answer(std::string_view request, std::span<const RequestKind> kinds) {
-  // In JSON, a text of a file is longer than the file, which may have max_text_bytes.
-  const std::size_t most = kinds.empty() ? max_request_bytes : 2 * max_request_bytes;
+  const std::size_t most = kinds.empty() ? max_request_bytes : max_bytes_of_own_kinds;
   const Result<RequestReader> reader = RequestReader::read(request, most);
   if (!reader) return error_answer(reader.error());
   if (const RequestKind* const kind = reader->kind_among(kinds)) {
