@@ -21,7 +21,7 @@ class Rational {
   Rational& operator-=(const Rational& other) { return *this = *this - other; }
   Rational& operator/=(const Rational& other) { return *this = *this / other; }
   friend std::strong_ordering operator<=>(const Rational& a, const Rational& b);
-  friend bool operator==(const Rational& a, const Rational& b) { return (a <=> b) == 0; }
+  friend bool operator==(const Rational& a, const Rational& b) { return std::is_eq(a <=> b); }
 
   struct Value;  // the library's number
   explicit Rational(Value value);

@@ -198,9 +198,9 @@ EvenChords::EvenChords(const Polygon& polygon, const Stands* stands,
   std::reverse(samples_.begin(), samples_.end());
 }
 
-std::vector<Candidate> EvenChords::in_order(std::vector<Candidate> found) const {
+std::vector<Candidate> EvenChords::in_order(const std::vector<Candidate>& found) const {
   const double near = near_distance(polygon_.diameter());
-  return merge_duplicates(in_candidate_order(std::move(found), near), near).candidates;
+  return merge_duplicates(in_candidate_order(found, near), near).candidates;
 }
 
 std::vector<Candidate> EvenChords::about(const Vec2& centre) const {
@@ -212,7 +212,7 @@ std::vector<Candidate> EvenChords::some_about(const Vec2& centre) const {
   constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
   for (const Sample& sample : samples_) {
     std::vector<Candidate> found = Search(*this, sample, centre, all).run();
-    if (found.size() >= enough_chords) return in_order(std::move(found));
+    if (found.size() >= enough_chords) return in_order(found);
   }
   return about(centre);
 }

@@ -53,7 +53,7 @@ class EvenChords {
   };
   static Sample sample_of(const Polygon& polygon, const Stands* stands,
                           const std::vector<std::uint32_t>& edges);
-  std::vector<Candidate> in_order(std::vector<Candidate> found) const;
+  std::vector<Candidate> in_order(const std::vector<Candidate>& found) const;
 
   const Polygon& polygon_;
   const Stands* stands_;
