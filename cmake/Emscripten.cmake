@@ -19,9 +19,9 @@ endif()
 
 # WebAssembly is compiled for size, but work for every edge pair or candidate (core/CMakeLists.txt) for speed. Placing
 # 20 teams by area on 1,000 vertices takes 6.9 ms, and 5.9 ms with the whole core at -O2. With -Os and -Oz, old
-# Emscripten implies -fno-inline-functions, which makes code with many small functions, as those of vec.h, many times slower; -finline-functions undoes
-# that. Link-time optimization made the page no smaller; Dear ImGui, QR codes and core/src/output without inlining made
-# it 3,600 bytes larger; binaryen's further passes made it 1 % smaller at best.
+# Emscripten implies -fno-inline-functions, which makes code with many small functions, as those of vec.h, many times
+# slower; -finline-functions undoes that. Link-time optimization made the page no smaller; Dear ImGui, QR codes and
+# core/src/output without inlining made it 3,600 bytes larger; binaryen's further passes made it 1 % smaller at best.
 set(evenlift_small "")
 set(evenlift_quick "")
 if(EMSCRIPTEN)
@@ -47,12 +47,11 @@ endfunction()
 
 # WebGL 2, no file system, no exceptions, and nothing that a content security policy without 'unsafe-eval' would refuse.
 function(evenlift_page_program target)
-  target_compile_options(${target} PRIVATE -fno-exceptions ${evenlift_small})
+  target_compile_options(${target} PRIVATE ${evenlift_small})
   target_link_options(
     ${target}
     PRIVATE
     ${evenlift_small}
-    -fno-exceptions
     -sENVIRONMENT=web
     -sFILESYSTEM=0
     -sMALLOC=emmalloc

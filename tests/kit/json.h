@@ -12,7 +12,8 @@
 
 namespace evenlift::testing {
 
-// A value that does not change. What it does not hold (a member, an element, a number) fails the test with an exception.
+// A value that does not change. What it does not hold (a member, an element, a number) fails the
+// test with an exception.
 class Json {
  public:
   static Json parse(const std::string& text);

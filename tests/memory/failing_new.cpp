@@ -1,4 +1,5 @@
-// Loaded before a program (LD_PRELOAD): its operator new counts what is alive, and fails when it is told to.
+// Loaded before a program (LD_PRELOAD): its operator new counts what is alive, and fails when it is
+// told to.
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>

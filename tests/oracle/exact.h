@@ -1,5 +1,5 @@
-// The oracle's numbers, vectors, and tolerance. Only the oracle's own files include it, since its numbers take seconds
-// to compile; other tests have rational.h.
+// The oracle's numbers, vectors, and tolerance. Only the oracle's own files include it, since its
+// numbers take seconds to compile; other tests have rational.h.
 #pragma once
 
 #include "oracle/oracle.h"

@@ -1,4 +1,5 @@
-// Exact numbers for tests outside the oracle: rationals, without the headers of the library that computes them.
+// Exact numbers for tests outside the oracle: rationals, without the headers of the library that
+// computes them.
 #pragma once
 
 #include <compare>

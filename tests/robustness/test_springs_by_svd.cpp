@@ -1,5 +1,5 @@
-// The loads of springs against a library's singular values: of all forces in equilibrium, those of equal springs that
-// all push are the shortest.
+// The loads of springs against a library's singular values: of all forces in equilibrium, those of
+// equal springs that all push are the shortest.
 #include <Eigen/SVD>
 #include <algorithm>
 

@@ -20,10 +20,10 @@ void report(const std::string& json);
 // words: {"English": "translated"}. All later sentences are in these words. {}.
 std::string speak(const RequestMembers& members);
 
-// polygon in the thesis's format, settings as lines `name=value`, robots (derive/robots_text.h) from
-// which to go on, or "". {"robots"}, also reported when better ones are found: the best ones, empty if
-// there are none. With a capacity, the number of robots needed if any one may fail (plan_text()).
-// {"problem"} if a text is invalid.
+// polygon in the thesis's format, settings as lines `name=value`, robots (derive/robots_text.h)
+// from which to go on, or "". {"robots"}, also reported when better ones are found: the best ones,
+// empty if there are none. With a capacity, the number of robots needed if any one may fail
+// (plan_text()). {"problem"} if a text is invalid.
 std::string search(const RequestMembers& members);
 
 // settings as lines, and as numbers the rings (derive/elsewhere.h). The answer's numbers are the
@@ -45,13 +45,14 @@ std::string results(const RequestMembers& members);
 std::string optimum(const RequestMembers& members);
 
 // text, tolerance: the greatest distance between curves and edges, or 0 for the default. Reads a
-// drawing or a table: {"format", "unit", "notes", "doubtful", "leftOpen", "shapes"}, or {"problem"}.
-// In a doubtful drawing, open lines are larger than any shape; leftOpen has them. A shape has a name,
-// a description, the tolerance of its curves (or 0), outline and holes for a small picture, and its
-// text in the thesis's format, with the link that holds its settings, or "".
+// drawing or a table: {"format", "unit", "notes", "doubtful", "leftOpen", "shapes"}, or
+// {"problem"}. In a doubtful drawing, open lines are larger than any shape; leftOpen has them. A
+// shape has a name, a description, the tolerance of its curves (or 0), outline and holes for a
+// small picture, and its text in the thesis's format, with the link that holds its settings, or "".
 std::string shapes(const RequestMembers& members);
 
-// link, lesson, the text of a lesson or "" for the main steps: the steps, to be printed (handout.cpp).
+// link, lesson, the text of a lesson or "" for the main steps: the steps, to be printed
+// (handout.cpp).
 std::string handout(const RequestMembers& members);
 
 // text. {"rows"} of a QR code's modules, with 1 for dark and 0 for light, without the quiet zone;

@@ -324,8 +324,9 @@ using AnyCommand = std::variant<
     MeasureSheet, MeasureNotice, CopyLink, TypeValue, OpenDialog, OpenPage, LayOutAgain, TakeRobots,
     TakeChoice, ShowNotice, EndNotice, SetCanvas, SetPreferences, SetTouch, CoverScreen, MakeRoom,
     LayPicture, TakePictureAway, SetMeasuring, KeepMotion, KeepComparison, ForgetSteps, AddStep>;
-// One command, which its copies share. What would copy or destroy any of the kinds is compiled only once, in command.cpp:
-// compiled in every file that makes a command, it took half of the panels' compile time.
+// One command, which its copies share. What would copy or destroy any of the kinds is compiled only
+// once, in command.cpp: compiled in every file that makes a command, it took half of the panels'
+// compile time.
 class Command {
  public:
   template <class Kind>
