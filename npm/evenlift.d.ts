@@ -76,13 +76,13 @@ export interface Settings {
   capacity?: number | "none";
   /** The C uncertainty: C is known within this distance. */
   com_radius?: number;
-  /** The height of C above the plane in which the robots lift. */
+  /** The height of C, of the object with its cargo, above the plane in which the robots lift. */
   com_height?: number;
-  /** The greatest slope: a ratio from 0 to 1, or a text: `"8%"`, `"4.6deg"`. */
+  /** The greatest slope of the plane in which the robots lift: a ratio from 0 to 1, or a text: `"8%"`, `"4.6deg"`. */
   slope?: number | string;
-  /** The greatest horizontal acceleration, in g. */
+  /** The greatest acceleration along the ground, in g. */
   acceleration?: number;
-  /** How far a robot gives way under the mean load. */
+  /** How far a robot gives way under the mean load. With `"none"`, uneven heights can cause the worst loads. */
   give?: number | "none";
   /** How much the ground, or a robot's height, is off at most. */
   uneven?: number;
@@ -105,7 +105,7 @@ export interface PlaceOptions extends Settings {
   failures?: boolean;
   /** Moves two or three supports to the edge so that all carry the same load. */
   even_out?: boolean;
-  /** Conditions on the result: `"held, max<=20"`. */
+  /** Conditions on the result: `"held, max<=20, worst<=60"`. */
   require?: string;
 }
 
@@ -162,7 +162,8 @@ export interface Loads {
   /** By the other models, in the order of the robots; `best` is the least possible greatest load. `null` if rounding moves C
    * outside the lifting base. */
   models: { springs: number[]; best: number; worst: number[] } | null;
-  /** These two only with a C uncertainty, a slope, an acceleration or uneven ground. */
+  /** These two only with a C uncertainty, a slope, uneven ground, or an acceleration and a `com_height`. If a robot may go slack,
+   * all ranges extend from the least to the greatest load that statics allows. */
   ranges?: [least: number, greatest: number][];
   may_let_go?: boolean;
 }
@@ -170,13 +171,17 @@ export interface Loads {
 /** When the object tips, in the worst direction. */
 export interface Tilt {
   height: number;
-  /** How far from C the weight may act. */
+  /** How far from C the weight may act under the given conditions, and whether the object stays upright then. */
   reach: number;
   stays: boolean;
-  /** The slope as a ratio and as an angle, and the acceleration in g, each alone. */
+  /** The slope as a ratio and as an angle, and the acceleration in g, each alone and on even ground. */
   slope: number;
   degrees: number;
   acceleration: number;
+  /** The acceleration at which it tips on the given slope; `null` without a slope. */
+  acceleration_left: number | null;
+  /** The slope at which it tips with the given acceleration; `null` without an acceleration. */
+  slope_left: number | null;
 }
 
 /** Where a further load may stand; all but the weight are `null` if the object falls. */
@@ -217,6 +222,7 @@ export interface Robustness {
 }
 
 export interface Verdict {
+  /** `"bad"` without robots, if the object falls or tips under the given conditions, or if a robot is or can be overloaded. */
   kind: "good" | "warning" | "bad";
   /** Sentences, the most serious first; none if the result is good. */
   reasons: string[];
@@ -253,9 +259,10 @@ export interface Failure {
   best_max: number | null;
   /** The load of each robot; 0 for the failed one. */
   springs: number[] | null;
-  /** Only with a `capacity`. */
+  /** Only with a `capacity`; `null` where `stays` is `false`. */
   over_capacity?: boolean | null;
-  /** These two only if `loads.ranges` exists. */
+  /** These two only if `loads.ranges` exists: the greatest load under the given conditions, `null` where `stays` is `false`; and
+   * whether the object stays upright under them. */
   greatest_end?: number | null;
   stays?: boolean | null;
 }
@@ -263,14 +270,15 @@ export interface Failure {
 export interface Capacity {
   /** `null` if only single supports have a capacity. */
   limit: number | null;
-  /** Robots that carry more, counted from 0, team after team. */
+  /** Robots that carry more, or can on slopes, when braked or on uneven ground; counted from 0, team after team. */
   overloaded: number[];
   teams_needed: number | null;
   greatest_load: number | null;
   teams_tried: number;
   robots_needed: number | null;
   com_radius: number | null;
-  /** Robots needed so that any one may fail. */
+  /** Robots needed so that any one may fail: then C is at least `clear` inside, and the object stays upright and each robot within
+   * the capacity under the given conditions. `robots_tried` is 0 if no number was tried. */
   if_one_fails: { robots_needed: number | null; greatest_load: number | null; robots_tried: number } | null;
 }
 

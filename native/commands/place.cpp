@@ -34,7 +34,7 @@ std::string robot_table(const ShownPlacement& of, const ShownLoads& shown) {
   std::vector<Row> rows = {{"robot", "at", shown.heading}};
   if (given) rows[0].insert(rows[0].begin() + 2, "stands");
   if (has_own) rows[0].push_back("capacity");
-  if (has_capacities(of)) rows[0].push_back("overloaded");
+  if (has_capacities(of)) rows[0].push_back(shown.overloaded);
   for (std::size_t i = 0; i < team.robots.size(); ++i) {
     const bool carries = placement.loads.has_value();
     rows.push_back({std::to_string(i + 1), words.at[i], carries ? shown.text[i] : "-"});
@@ -55,7 +55,7 @@ std::string team_table(const ShownPlacement& of, const ShownLoads& shown) {
   if (is_one_team(placement.settings.method)) return robot_table(of, shown);
   const int decimals = coordinate_decimals(placement.vertices());
   std::vector<Row> rows = {{"team", "ratio", "robot at", shown.heading, "robot at", shown.heading}};
-  if (capacity) rows[0].push_back("overloaded");
+  if (capacity) rows[0].push_back(shown.overloaded);
   for (std::size_t i = 0; i < placement.teams.size(); ++i) {
     const TeamInWords team = team_in_words(placement, i, decimals);
     rows.push_back({std::to_string(i + 1), team.ratio, team.at[0], shown.text[2 * i], team.at[1],
@@ -135,7 +135,7 @@ std::string for_people(const ShownPlacement& of, bool with_candidates,
   if (placement.teams.empty()) {
     sentences = verdict(of, model) + "\n";
   } else {
-    const ShownLoads shown = shown_loads(placement, known);
+    const ShownLoads shown = loads_for_table(of, known);
     sentences = verdict(of, model, shown.ranges) + "\n";
     tables += team_table(of, shown) + "\n";
     greatest = shown.greatest;
@@ -143,10 +143,16 @@ std::string for_people(const ShownPlacement& of, bool with_candidates,
   if (!placement.search_ended && !placement.teams.empty())
     sentences +=
         "The outline is so large that the search was cut short: there may be better places.\n";
-  if (capacity)
-    sentences += capacity_in_words(of, &capacity->plan, overloaded_robots(of, greatest), model,
-                                   std::nullopt, &*capacity->if_one_fails) +
-                 "\n";
+  if (capacity) {
+    // The first line names the overloaded robots.
+    const std::vector<std::size_t> overloaded = overloaded_robots(of, greatest);
+    const FailurePlan* spare = &*capacity->if_one_fails;
+    const std::string line =
+        overloaded.empty()
+            ? capacity_in_words(of, &capacity->plan, overloaded, model, std::nullopt, spare)
+            : needs_in_words(of, &capacity->plan, model, std::nullopt, spare);
+    if (!line.empty()) sentences += line + "\n";
+  }
   sentences += robustness_lines(of, known);
   for (const std::string& misfit : misfits_in_words(of)) sentences += misfit + "\n";
   for (const Requirement& requirement : requirements)

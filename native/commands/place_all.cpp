@@ -59,7 +59,7 @@ void summarize(const ShownPlacement& of, const RobustnessAsked& asked, ShapeResu
   for (const Team& team : placement.teams) result.robots += team.robots.size();
   result.stands = result.robots > 0 && placement.loads.has_value();
   if (!result.stands) return;
-  const ShownLoads shown = shown_loads(placement, RobustnessKnown(placement, asked));
+  const ShownLoads shown = loads_for_table(of, RobustnessKnown(placement, asked));
   result.loads = shown.ranges.front();
   for (const LoadRange& range : shown.ranges)
     result.loads = {std::min(result.loads.least, range.least),

@@ -45,13 +45,15 @@ Row failure_row(std::size_t robot, std::size_t team, const std::optional<RestOfR
   }
   const double distance = rest->tipping_distance;
   for (const std::string& cell :
-       {yes_or_no(rest->clear), amount(distance, distance), percentage(rest->coverage, 1),
-        yes_or_no(rest->form_closure),
-        rest->greatest_by_plan ? amount(*rest->greatest_by_plan, largest) : std::string("-"),
-        amount(rest->greatest_by_springs, largest), amount(rest->least_greatest, largest)})
+       {yes_or_no(rest->clear), amount(distance, distance, Toward::down),
+        percentage(rest->coverage, 1), yes_or_no(rest->form_closure),
+        rest->greatest_by_plan ? amount(*rest->greatest_by_plan, largest, Toward::up)
+                               : std::string("-"),
+        amount(rest->greatest_by_springs, largest, Toward::up),
+        amount(rest->least_greatest, largest, Toward::up)})
     row.push_back(cell);
   if (!with_disturbance) return row;
-  row.push_back(amount(rest->greatest_end, largest));
+  row.push_back(rest->greatest_end ? amount(*rest->greatest_end, largest, Toward::up) : "-");
   row.push_back(yes_or_no(rest->stays));
   return row;
 }
@@ -83,13 +85,19 @@ RobustnessKnown::RobustnessKnown(const Placement& placement, const RobustnessAsk
   if (asked.failures) failures = single_failures(placement, asked.disturbance);
 }
 
-ShownLoads shown_loads(const Placement& placement, const RobustnessKnown& known) {
+ShownLoads loads_for_table(const ShownPlacement& of, const RobustnessKnown& known) {
   const LoadModel model = known.models ? known.asked.model : LoadModel::plan;
-  ShownLoads shown{heading(model), {}, {}, loads_by(model, placement, known.models)};
-  for (const LoadRange& range : shown.ranges) shown.greatest.push_back(range.greatest);
+  ShownLoads shown{heading(model), {}, {}, shown_loads(of, model, known.models), {}};
+  bool is_bound = model == LoadModel::worst;
+  for (const LoadRange& range : shown.ranges) {
+    shown.greatest.push_back(range.greatest);
+    is_bound = is_bound || range.least < range.greatest;
+  }
+  shown.overloaded = is_bound ? "can be overloaded" : "overloaded";
   const double largest = *std::max_element(shown.greatest.begin(), shown.greatest.end());
   for (const LoadRange& range : shown.ranges)
-    shown.text.push_back(amounts(range.least, range.greatest, largest));
+    shown.text.push_back(has_ranges(model) ? amounts(range, largest)
+                                           : amount(range.greatest, largest, Toward::up));
   return shown;
 }
 
@@ -101,23 +109,20 @@ std::string robustness_lines(const ShownPlacement& of, const RobustnessKnown& kn
   if (known.models && asked.model != LoadModel::plan)
     text += model_in_words(asked.model, *known.models, units) + "\n";
   if (known.models && asked.disturbance.any()) {
-    text += uncertainty_in_words(*known.models, known.robustness, of.shown);
-    if (has_capacities(of)) text += " " + uncertainty_for_capacity_in_words(*known.models, of);
-    text += "\n";
+    std::string line = uncertainty_in_words(*known.models, known.robustness, of.shown);
+    if (has_capacities(of) && !tips_when_disturbed(of))
+      line += (line.empty() ? "" : " ") + uncertainty_for_capacity_in_words(*known.models, of);
+    if (!line.empty()) text += line + "\n";
   }
-  // The sentence above says whether the C uncertainty alone can tip the object.
-  if (asked.disturbance.reach > of.shown.com_radius) {
-    const std::string tips = tipping_in_words(known.robustness, of);
-    if (!tips.empty()) text += tips + "\n";
-  }
-  const std::string idle = without_effect_in_words(of.shown);
+  const std::string idle = given_in_part_in_words(of);
   if (!idle.empty()) text += idle + "\n";
   const std::string tilt = tilt_in_words(known.robustness, of);
   if (!tilt.empty()) text += tilt + "\n";
   if (const auto extra = extra_load(of)) text += extra_in_words(*extra, of) + "\n";
   if (!known.failures.empty())
     text += failures_in_words(known.failures, units, overloads_after(of, known.failures),
-                              has_capacities(of) ? limit_in_words(of) : std::string()) +
+                              has_capacities(of) ? limit_in_words(of) : std::string(),
+                              conditions_in_words(of.shown)) +
             "\n";
   return text;
 }
@@ -126,19 +131,22 @@ std::string failure_table(const ShownPlacement& of, const RobustnessKnown& known
   if (known.failures.empty()) return {};
   double largest = 0;
   for (const auto& rest : known.failures)
-    if (rest) largest = std::max({largest, rest->greatest_by_plan.value_or(0), rest->greatest_end});
+    if (rest)
+      largest = std::max({largest, rest->greatest_by_plan.value_or(0), rest->greatest_by_springs,
+                          rest->greatest_end.value_or(0)});
   std::vector<Row> rows = {{"fails", "of team", "carried", "steady", "tipping distance", "coverage",
                             "form closure", "by plan", "springs", "best"}};
   const bool with_disturbance = known.asked.disturbance.any();
   if (with_disturbance)
     for (const char* heading : {"at most", "stays"}) rows[0].push_back(heading);
-  if (has_capacities(of)) rows[0].push_back("overloaded");
+  if (has_capacities(of)) rows[0].push_back(with_disturbance ? "can be overloaded" : "overloaded");
   for (std::size_t robot = 0; robot < known.failures.size(); ++robot) {
     const std::optional<RestOfRobots>& rest = known.failures[robot];
     rows.push_back(failure_row(robot, find_robot(of.placement.teams, robot).team, rest, largest,
                                with_disturbance));
     if (has_capacities(of))
-      rows.back().push_back(rest ? numbers_from_1(overloaded_robots(of, rest->ends)) : "-");
+      rows.back().push_back(rest && rest->stays ? numbers_from_1(overloaded_robots(of, rest->ends))
+                                                : "-");
   }
   return table(rows);
 }

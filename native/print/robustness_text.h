@@ -45,8 +45,9 @@ struct ShownLoads {
   std::vector<std::string> text;  // ranges if there is a disturbance, otherwise numbers
   std::vector<double> greatest;   // the upper end of each range, or the number
   std::vector<LoadRange> ranges;
+  std::string overloaded;  // the heading above the robots that are overloaded, or can be
 };
-ShownLoads shown_loads(const Placement& placement, const RobustnessKnown& known);
+ShownLoads loads_for_table(const ShownPlacement& of, const RobustnessKnown& known);
 
 // Sentences about the loads, the disturbance, slopes, a further load and failures, as far as
 // requested, with a line for each subject. The text is empty if the robots carry no loads.

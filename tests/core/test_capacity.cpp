@@ -51,12 +51,21 @@ CapacityPlan plan_by_trying(Document document, double capacity, std::uint32_t mo
 
 // The greatest load that a robot carries, intact or after any one failure, by the effects that the
 // page shows; infinite if a failure drops the object.
-double greatest_with_failures(const Placement& placement) {
-  double greatest = placement.loads->max;
-  for (const std::optional<RestOfRobots>& rest : single_failures(
-           placement.object, placement.centre_of_mass, placement.weight(), placement.teams))
-    greatest = std::max(greatest, rest ? rest->greatest_by_springs : HUGE_VAL);
+double greatest_with_failures(const ShownPlacement& of) {
+  double greatest = 0;
+  const bool tips = tips_when_disturbed(of);
+  for (const LoadRange& load : loads_when_disturbed(of))
+    greatest = std::max(greatest, tips ? of.placement.loads->max : load.greatest);
+  for (const auto& rest : single_failures(of.placement, disturbance_of(of.shown)))
+    greatest = std::max(greatest,
+                        rest ? rest->greatest_end.value_or(rest->greatest_by_springs) : HUGE_VAL);
   return greatest;
+}
+
+bool survives_failures(const ShownPlacement& of) {
+  const auto failures = single_failures(of.placement, disturbance_of(of.shown));
+  return std::all_of(failures.begin(), failures.end(),
+                     [](const auto& rest) { return rest && rest->clear && rest->stays; });
 }
 
 // By definition, for teams of two.
@@ -67,8 +76,11 @@ FailurePlan failure_plan_by_trying(Document document, double capacity, std::uint
     const Placement placement = placed(document);
     if (placement.teams.size() < teams) return plan;
     plan.tried = 2 * teams;
-    const double greatest = greatest_with_failures(placement);
-    if (!exceeds(greatest, capacity)) return {true, 2 * teams, greatest, 2 * teams};
+    const double greatest = greatest_with_failures({placement, document.shown});
+    if (exceeds(greatest, capacity)) continue;
+    if (survives_failures({placement, document.shown}))
+      return {true, false, 2 * teams, greatest, 2 * teams};
+    if (!plan.can_tip) plan = {false, true, 2 * teams, greatest, 2 * teams};
   }
   return plan;
 }
@@ -120,24 +132,35 @@ TEST_CASE("robots needed for a capacity are the fewest that stay within it, by e
 
 TEST_CASE("robots needed if any one may fail are the fewest that stay within the capacity",
           "[capacity][slow]") {
-  int possible = 0;
+  int possible = 0, steep = 0;
   for (const char* name : {"puzzle-piece", "thesis-sample", "kidney-table", "horseshoe"}) {
     for (const Method method : pair_methods) {
       for (const double capacity : {60.0, 40.0, 26.0, 12.5}) {
-        Document document = corpus::polygon(name);
-        document.settings.method = method;
-        const FailurePlan plan = plan_for_failures(placed(document), capacity);
-        const FailurePlan expected = failure_plan_by_trying(document, capacity, 20);
-        INFO(name << ", " << evenlift::name(method) << ", " << capacity);
-        if (!expected.possible && expected.tried == 40) continue;  // more teams may be enough
-        CHECK(plan.possible == expected.possible);
-        CHECK(plan.robots == expected.robots);
-        CHECK(std::abs(plan.greatest_load - expected.greatest_load) <= 1e-12 * capacity);
-        possible += expected.possible ? 1 : 0;
+        for (const double height : {0.0, 0.5}) {  // in parts of L
+          Document document = corpus::polygon(name);
+          document.settings.method = method;
+          const double size = placed(document).polygon().diameter();
+          if (height > 0)
+            document.shown.carrying = {.com_height = height * size,
+                                       .slope = 0.1,
+                                       .give = 0.01 * size,
+                                       .uneven = 0.001 * size};
+          const Placement placement = placed(document);
+          const FailurePlan plan = plan_for_failures({placement, document.shown}, capacity);
+          const FailurePlan expected = failure_plan_by_trying(document, capacity, 20);
+          INFO(name << ", " << evenlift::name(method) << ", " << capacity << ", " << height);
+          if (!expected.possible && expected.tried == 40) continue;  // more teams may be enough
+          CHECK(plan.possible == expected.possible);
+          CHECK(plan.can_tip == expected.can_tip);
+          CHECK(plan.robots == expected.robots);
+          CHECK(std::abs(plan.greatest_load - expected.greatest_load) <= 1e-12 * capacity);
+          (height > 0 ? steep : possible) += expected.possible ? 1 : 0;
+        }
       }
     }
   }
   CHECK(possible > 40);
+  CHECK(steep > 20);
 }
 
 TEST_CASE("rounding does not add robots to those needed if any one may fail", "[capacity]") {

@@ -397,12 +397,12 @@ TEST_CASE("tables have each number under its heading, in columns as wide as thei
   // A range of loads has 9 characters in 11 bytes.
   shows(" --com-radius 0.1",
         "  team  ratio        robot at       load        robot at       load\n"
-        "     1  1.000  (0.000, 4.000)  15.2–18.2  (4.000, 0.000)  15.2–18.2");
+        "     1  1.000  (0.000, 4.000)  15.1–18.2  (4.000, 0.000)  15.1–18.2");
   // The others' loads by plan, by springs and at best.
   shows(
       " --com 1.9,2 --min-ratio 0.5 --failures",
       "  fails  of team  carried  steady  tipping distance  coverage  form closure  by plan  springs  best\n"
-      "      1        1      yes     yes             0.885    73.8\u00A0%            no     26.3     30.5  25.6");
+      "      1        1      yes     yes             0.884    73.8\u00A0%            no     26.3     30.6  25.7");
 }
 
 TEST_CASE("a result is a document: it opens again with all its settings", "[cli]") {

@@ -182,7 +182,7 @@ TEST_CASE("the loads that are shown are those of the model, with ranges where it
   const std::optional<ModelLoads> models = model_loads(placement);
   REQUIRE(models);
   const auto shown = [&](LoadModel model, double radius) {
-    return loads_by(model, placement, model_loads(placement, {.reach = radius}));
+    return loads_by(model, placement, model_loads(placement, {.com_radius = radius}));
   };
   for (std::size_t i = 0; i < count_robots(placement.teams); ++i) {
     CHECK(shown(LoadModel::plan, 0)[i].least == planned_loads(placement.teams)[i]);

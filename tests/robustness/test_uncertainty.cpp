@@ -74,24 +74,30 @@ TEST_CASE("robots go slack before the object tips; three robots just then",
 
 TEST_CASE("ranges are as wide as the C uncertainty, and no load is below 0",
           "[robustness][uncertainty]") {
-  const auto ranges = load_ranges({10, 2}, {1, false, {2, 1}, {50, 60}});
+  const auto ranges = load_ranges({10, 2}, {{}, false, {2, 1}, {50, 60}, {3, 0.5}});
   CHECK(ranges[0].least == 8);
   CHECK(ranges[0].greatest == 12);
   CHECK(ranges[1].least == 1);
   CHECK(ranges[1].greatest == 3);
-  // If one may go slack, the greatest loads hold whichever robots carry.
-  const auto wider = load_ranges({10, 2}, {1, false, {4, 4}, {50, 60}});
-  CHECK(wider[0].least == 6);
+  // If one may go slack, the ends hold whichever robots carry.
+  const auto wider = load_ranges({10, 2}, {{}, false, {4, 4}, {50, 60}, {3, 0.5}});
+  CHECK(wider[0].least == 3);
   CHECK(wider[0].greatest == 50);
-  CHECK(wider[1].least == 0);
+  CHECK(wider[1].least == 0.5);
   CHECK(wider[1].greatest == 60);
-  // On a slope, a part of the weight acts along the ground.
-  CHECK(load_ranges({10, 2}, {0.9, false, {1, 1}, {50, 60}})[0].least == 8);
-  CHECK(load_ranges({10, 2}, {0.9, false, {1, 1}, {50, 60}})[0].greatest == 11);
+  // On a slope, a part of the weight acts along the ground, and less of it holds a robot down.
+  const auto on_slope = [](double by) {
+    return load_ranges({10, 2}, {{.kept = 0.9}, false, {by, by}, {50, 60}, {3, 0.5}})[0];
+  };
+  CHECK(on_slope(1.7).least == Approx(7.3));
+  CHECK(on_slope(1.7).greatest == 11.7);
+  CHECK(on_slope(1.9).least == 3);
+  CHECK(on_slope(1.9).greatest == 50);
   const Points corners{{0, 0}, {1e-9, 0}, {1e-9, 1e-9}, {0, 1e-9}};
   const Vec2 centre(5e-10, 5e-10);
   const auto springs = spring_loads(corners, centre, 1e-9, 1e100);
-  const LoadChanges far = load_changes(corners, centre, 1e-9, 1e100, *springs, {1e300, 1e300});
+  const LoadChanges far = load_changes(corners, centre, 1e-9, 1e100, *springs,
+                                       {.com_radius = 1e300, .uneven = 1e300, .give = 1});
   for (const LoadRange& range : load_ranges(springs->loads, far)) {
     CHECK(std::isfinite(range.greatest));
     CHECK(range.least == 0);
@@ -103,24 +109,27 @@ TEST_CASE("loads may change by what uneven heights and a tilt do", "[robustness]
   const Vec2 middle(0.5, 0.5);
   const auto springs = spring_loads(square, middle, std::sqrt(2), 100);
   const LoadChanges uneven =
-      load_changes(square, middle, std::sqrt(2), 100, *springs, {.uneven = 0.25});
+      load_changes(square, middle, std::sqrt(2), 100, *springs, {.uneven = 1, .give = 4});
   for (const double by : uneven.by) CHECK(by == Approx(6.25));
   const LoadChanges tilted =
-      load_changes(square, middle, std::sqrt(2), 100, *springs, {.reach = 0.2});
+      load_changes(square, middle, std::sqrt(2), 100, *springs, {.com_height = 1, .slope = 0.2});
   for (const double by : tilted.by) CHECK(by == Approx(100 * 0.2 * std::sqrt(0.5)));
   // A plane fits any heights of three robots, or of two ends of a line.
   const Points three{{0, 0}, {1, 0}, {0, 1}}, two{{0, 0.5}, {1, 0.5}};
   const Vec2 third(0.3, 0.3);
   const auto of_three = spring_loads(three, third, 2, 100),
              of_two = spring_loads(two, middle, 2, 100);
-  CHECK(load_changes(three, third, 2, 100, *of_three, {.uneven = 1}).by ==
-        std::vector<double>{0, 0, 0});
-  CHECK(load_changes(two, middle, 2, 100, *of_two, {.uneven = 1}).by == std::vector<double>{0, 0});
+  for (const std::optional<double> give : {std::optional<double>(1), std::optional<double>()}) {
+    const Disturbance off{.uneven = 1, .give = give};
+    CHECK(load_changes(three, third, 2, 100, *of_three, off).by == std::vector<double>{0, 0, 0});
+    CHECK(load_changes(two, middle, 2, 100, *of_two, off).by == std::vector<double>{0, 0});
+  }
   Points hexagon;
   for (int i = 0; i < 6; ++i)
     hexagon.emplace_back(std::cos(i * std::acos(-1.0) / 3), std::sin(i * std::acos(-1.0) / 3));
   const auto of_six = spring_loads(hexagon, Vec2{}, 2, 600);
-  for (const double by : load_changes(hexagon, Vec2{}, 2, 600, *of_six, {.uneven = 1}).by)
+  for (const double by :
+       load_changes(hexagon, Vec2{}, 2, 600, *of_six, {.uneven = 1, .give = 1}).by)
     CHECK(by == Approx(400.0 / 3));
 }
 
@@ -199,12 +208,15 @@ TEST_CASE("a capacity allows as much uncertainty as its first robot has room for
   CHECK(within(3, 1000) == 3.0);
   // Other changes leave less room.
   const std::vector<std::optional<double>> twelve(2, 12);
-  CHECK(radius_within_capacity(springs, 30, twelve, {1, false, {1, 0}, {}}, 2) == 2.0);
-  CHECK(radius_within_capacity(springs, 3, twelve, {1, false, {0, 0}, {}}, 2) == 1.0);
-  CHECK_FALSE(radius_within_capacity(springs, 30, twelve, {1, false, {2.5, 0}, {}}, 0));
+  CHECK(radius_within_capacity(springs, 30, twelve, {{.reach = 2}, false, {1, 0}, {}, {}}) == 2.0);
+  CHECK(radius_within_capacity(springs, 3, twelve, {{.reach = 2}, false, {0, 0}, {}, {}}) == 1.0);
+  CHECK_FALSE(radius_within_capacity(springs, 30, twelve, {{}, false, {2.5, 0}, {}, {}}));
+  // On a slope, less weight holds a robot down.
+  CHECK(radius_within_capacity(springs, 30, std::vector<std::optional<double>>(2),
+                               {{.kept = 0.5}, false, {0, 0}, {}, {}}) == 1.0);
   // Rounding alone overloads no robot.
   CHECK(within(30, 10 * (1 - 1e-12)) == 0.0);
   // If another robot may begin to carry, only the worst loads are known, and only for this C.
-  CHECK(radius_within_capacity(springs, 30, twelve, {1, true, {0, 0}, {12, 12}}) == 0.0);
-  CHECK_FALSE(radius_within_capacity(springs, 30, twelve, {1, true, {0, 0}, {12, 12.1}}));
+  CHECK(radius_within_capacity(springs, 30, twelve, {{}, true, {0, 0}, {12, 12}, {}}) == 0.0);
+  CHECK_FALSE(radius_within_capacity(springs, 30, twelve, {{}, true, {0, 0}, {12, 12.1}, {}}));
 }

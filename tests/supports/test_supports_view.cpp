@@ -238,8 +238,8 @@ TEST_CASE("a support above its own capacity is told and marked", "[view][support
   CHECK(is_overloaded(state));
   CHECK(is_overloaded(state, 1));
   CHECK_FALSE(is_overloaded(state, 0));
-  CHECK(overload_in_brief(state) == "A robot carries more than its capacity. ");
-  CHECK(verdict(state).mood == Mood::not_quite);
+  CHECK(verdict(state).headline == "1 of 6 robots is overloaded: robot 2.");
+  CHECK(verdict(state).mood == Mood::falls);
   CHECK(summary(state).find("1 of 6 robots is overloaded: robot 2.") != std::string::npos);
 }
 

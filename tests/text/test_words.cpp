@@ -221,16 +221,17 @@ TEST_CASE("a capacity says of which loads and of which robots it speaks", "[word
   };
   CHECK(
       words(LoadModel::springs, {0, 3}, plan) ==
-      "2 of 6 robots are overloaded, with more than 17 kg: robots 1 and 4. As planned, this method "
+      "2 of 6 robots are overloaded, with more than 17 kg: robots 1 and 4. Considering load only, as planned, this method "
       "needs 8 robots, with at most 12.5 kg each.");
   CHECK(
       words(LoadModel::worst, {}, none) ==
-      "No robot carries more than 17 kg. As planned, even all 18 robots that can be placed are too "
+      "No robot carries more than 17 kg. Considering load only, as planned, even all 18 robots that can be placed are too "
       "few.");
   // A failed robot carries nothing.
-  CHECK(words(LoadModel::springs, {2, 3, 5}, plan, 1) ==
-        "3 of the other 5 robots are overloaded, with more than 17 kg: robots 3, 4 and 6. With no "
-        "failures, this method needs 8 robots, with at most 12.5 kg each.");
+  CHECK(
+      words(LoadModel::springs, {2, 3, 5}, plan, 1) ==
+      "3 of the other 5 robots are overloaded, with more than 17 kg: robots 3, 4 and 6. Considering load "
+      "only, with no failures, this method needs 8 robots, with at most 12.5 kg each.");
   CHECK(words(LoadModel::springs, {0, 2, 3, 4, 5}, plan, 1)
             .starts_with("All the other 5 robots are overloaded, with more than 17 kg. "));
 }

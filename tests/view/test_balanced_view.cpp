@@ -155,7 +155,8 @@ TEST_CASE("how many balanced robots it takes if any one may fail is taken over w
   const std::uint64_t number = state.derived().search.number;
   const FailurePlan plan = plan_for_failures(*state.derived().placement, 20);
   SECTION("texts that are no count change nothing") {
-    for (const char* bad : {"", " ", "x", "9 ", "9 x", "9 nan", "65", "9 20 9", "-9 20", "09 20"})
+    for (const char* bad :
+         {"", " ", "x", "9 ", "9 x", "9 nan", "65", "9 20 66", "9 20 9 9", "-9 20", "09 20"})
       CHECK_FALSE(take_robots(state, number, bad, true));
     CHECK(state.derived().search.counting);
     CHECK_FALSE(state.derived().spare);
@@ -188,7 +189,9 @@ TEST_CASE("how many balanced robots it takes if any one may fail is taken over w
     CHECK_FALSE(take_robots(state, number + 1, plan_text(plan), true));
     CHECK_FALSE(state.derived().spare);
   }
-  for (const FailurePlan& each : {plan, FailurePlan{false, 0, 0, 17}})
+  for (const FailurePlan& each :
+       {plan, FailurePlan{.tried = 17},
+        FailurePlan{.can_tip = true, .robots = 4, .greatest_load = 25.5, .tried = 11}})
     CHECK(read_plan(plan_text(each)) == each);
 }
 

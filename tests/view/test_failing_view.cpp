@@ -224,7 +224,7 @@ TEST_CASE("a C uncertainty makes the program's ranges, and sentences that say ho
   CHECK(uncertainty_words(state).empty());
   give(state, showing(state, &Shown::com_radius, 20));
   CHECK(shown(state).com_radius == 20);
-  const ModelLoads models = *model_loads(*state.derived().placement, {.reach = 20});
+  const ModelLoads models = *model_loads(*state.derived().placement, {.com_radius = 20});
   REQUIRE(models.springs.same_within > 20);
   const auto expected = loads_by(LoadModel::plan, *state.derived().placement, models);
   for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -238,17 +238,17 @@ TEST_CASE("a C uncertainty makes the program's ranges, and sentences that say ho
   const double beyond = models.springs.same_within * 1.5;
   give(state, showing(state, &Shown::com_radius, beyond));
   const auto wider = loads_by(LoadModel::plan, *state.derived().placement,
-                              model_loads(*state.derived().placement, {.reach = beyond}));
+                              model_loads(*state.derived().placement, {.com_radius = beyond}));
   for (std::size_t i = 0; i < wider.size(); ++i) {
     CHECK(state.derived().outlook.loads[i].least == wider[i].least);
     CHECK(state.derived().outlook.loads[i].greatest == wider[i].greatest);
   }
   CHECK(state.work.history.depth() == 2);
   const double tips = robustness(*state.derived().placement).tipping_distance;
-  CHECK(verdict(state).detail.find("It can tip") == std::string::npos);
+  CHECK(verdict(state).headline.find("It can tip") == std::string::npos);
   give(state, showing(state, &Shown::com_radius, tips * 1.1));
-  CHECK(verdict(state).mood == Mood::not_quite);
-  CHECK(verdict(state).detail.find("It can tip: the centre of mass may be off by ") == 0);
+  CHECK(verdict(state).mood == Mood::falls);
+  CHECK(verdict(state).headline.starts_with("It can tip: the centre of mass may be off by "));
   give(state, Undo{});
   give(state, Undo{});
   CHECK(shown(state).com_radius == 20);
@@ -321,8 +321,9 @@ TEST_CASE("while a robot fails, a capacity speaks of the others by their numbers
   const std::string words = need_in_words(state);
   CHECK(words.find("the other 5 robots") != std::string::npos);
   CHECK(words.find("team") == std::string::npos);
-  CHECK(words.find(state.derived().plan->possible ? "With no failures, this method needs"
-                                                  : "With no failures, even") != std::string::npos);
+  CHECK(words.find(state.derived().plan->possible
+                       ? "Considering load only, with no failures, this method needs"
+                       : "Considering load only, with no failures, even") != std::string::npos);
   give(state, Fail{});
   CHECK(need_in_words(state).find("With no failures") == std::string::npos);
 }

@@ -810,7 +810,8 @@ TEST_CASE("a capacity tells how many robots are needed and who carries too much"
   apply(state, commands);
   REQUIRE(state.derived().plan);
   CHECK(need_in_words(state).find("All 6 robots are overloaded, with more than") == 0);
-  CHECK(verdict(state).mood == Mood::not_quite);
+  CHECK(verdict(state).headline.find("All 6 robots are overloaded, with more than") == 0);
+  CHECK(verdict(state).mood == Mood::falls);
   REQUIRE(state.derived().plan->possible);
   CHECK(state.derived().plan->teams > 3);
   Settings changed = state.work.document().settings;

@@ -209,7 +209,8 @@ void Derivation::place_second() {
 
 // During a drag, the number of teams for a capacity and the best ratio wait.
 void Derivation::plan() {
-  facts_.plan_due |= now_.shown.capacity != before_.shown.capacity;
+  facts_.plan_due |= now_.shown.capacity != before_.shown.capacity ||
+                     disturbance_of(now_.shown) != disturbance_of(before_.shown);
   if (facts_.refusal || !facts_.placement) return;
   if (placed_ || comes_to_rest())
     facts_.best_ratio = at_rest() ? best_ratio_if_none(*facts_.placement) : std::nullopt;
@@ -221,7 +222,7 @@ void Derivation::plan() {
   if (!capacity) return;
   facts_.plan = compute_plan(*facts_.placement, *capacity);
   if (facts_.placement->settings.method != Method::balanced)
-    facts_.spare = plan_for_failures(*facts_.placement, *capacity);
+    facts_.spare = plan_for_failures({*facts_.placement, now_.shown}, *capacity);
 }
 
 void Derivation::tell_loads() {
@@ -244,7 +245,7 @@ void Derivation::tell_loads() {
 void Derivation::search() {
   if (!at_rest()) return;
   begin_search(facts_, effects_);
-  begin_count(facts_, now_.shown.capacity, effects_);
+  begin_count(facts_, now_.shown, effects_);
 }
 
 // No offer while a search can still improve the robots, nor in a walkthrough, embedded page or

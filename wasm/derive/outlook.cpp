@@ -20,7 +20,7 @@ Outlook outlook_of(const Placement& placement, LoadModel model, const Shown& sho
   if (model != LoadModel::plan || disturbance.any())
     outlook.models = model_loads(placement, disturbance);
   if (outlook.models) outlook.model = model;
-  outlook.loads = loads_by(model, placement, outlook.models);
+  outlook.loads = shown_loads({placement, shown}, model, outlook.models);
   outlook.greatest = greatest_of(outlook.loads);
   outlook.extra = extra_load({placement, shown});
   return outlook;
@@ -32,8 +32,10 @@ Outlook outlook_of(const Placement& placement, const Failure& failure, const Sho
   outlook.model = LoadModel::springs;
   outlook.robustness.tipping_distance = failure.rest ? failure.rest->tipping_distance : 0;
   const Disturbance disturbance = disturbance_of(shown);
-  const auto ranges =
-      disturbance.any() ? ranges_without(placement, failure.robot, disturbance) : std::nullopt;
+  const bool stays = failure.rest && failure.rest->stays;
+  const auto ranges = disturbance.any() && stays
+                          ? ranges_without(placement, failure.robot, disturbance)
+                          : std::nullopt;
   outlook.loads = ranges ? *ranges : loads_by(LoadModel::plan, failure.placement, std::nullopt);
   outlook.greatest = greatest_of(outlook.loads);
   return outlook;

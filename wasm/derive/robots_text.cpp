@@ -47,8 +47,9 @@ std::optional<std::vector<LiftingPoint>> read_robots(std::string_view text, std:
 }
 
 std::string plan_text(const FailurePlan& plan) {
-  if (!plan.possible) return std::to_string(plan.tried);
-  return std::to_string(plan.robots) + ' ' + shortest(plan.greatest_load);
+  if (!plan.possible && !plan.can_tip) return std::to_string(plan.tried);
+  const std::string found = std::to_string(plan.robots) + ' ' + shortest(plan.greatest_load);
+  return plan.can_tip ? found + ' ' + std::to_string(plan.tried) : found;
 }
 
 std::optional<FailurePlan> read_plan(std::string_view text) {
@@ -56,9 +57,11 @@ std::optional<FailurePlan> read_plan(std::string_view text) {
   const std::optional<std::uint64_t> number = read_whole(next_word(text));
   if (!number || *number > most_robots) return std::nullopt;
   const auto robots = static_cast<std::uint32_t>(*number);
-  const std::optional<double> greatest = read_number(text);
-  const FailurePlan plan =
-      greatest ? FailurePlan{true, robots, *greatest, robots} : FailurePlan{false, 0, 0, robots};
+  const std::optional<double> greatest = read_number(next_word(text));
+  const std::optional<std::uint64_t> tried = read_whole(text);
+  if (tried && *tried > most_robots) return std::nullopt;
+  const FailurePlan plan{greatest && !tried, greatest && tried, greatest ? robots : 0,
+                         greatest.value_or(0), tried ? static_cast<std::uint32_t>(*tried) : robots};
   return plan_text(plan) == given ? std::optional(plan) : std::nullopt;
 }
 

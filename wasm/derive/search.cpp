@@ -62,19 +62,20 @@ void begin_search(Derived& facts, Effects& effects) {
                                 robots_text(lifting_points(start.teams))});
 }
 
-void begin_count(Derived& facts, const std::optional<double>& capacity, Effects& effects) {
+void begin_count(Derived& facts, const Shown& shown, Effects& effects) {
   Search& search = facts.search;
-  if (!capacity || !facts.placement || facts.refusal || facts.spare) return;
+  if (!shown.capacity || !facts.placement || facts.refusal || facts.spare) return;
   if (search.under_way || search.counting) return;
   const Settings& now = facts.placement->settings;
   if (now.method != Method::balanced || !facts.placement->search_ended) return;
   search = {search.number + 1, false, false, true};
-  const Document with_capacity{{}, {}, {}, {.capacity = capacity}};
-  effects.push_back(
-      BeginSearch{search.number,
-                  write_thesis(facts.placed),
-                  settings_of(facts, now) + setting_line(Setting::capacity, with_capacity),
-                  {}});
+  const Document conditions{{}, {}, {}, shown};
+  std::string settings = settings_of(facts, now);
+  for (const Setting setting :
+       {Setting::capacity, Setting::com_radius, Setting::com_height, Setting::slope,
+        Setting::acceleration, Setting::give, Setting::uneven})
+    settings += setting_line(setting, conditions);
+  effects.push_back(BeginSearch{search.number, write_thesis(facts.placed), settings, {}});
 }
 
 void drop_count(Derived& facts, Effects& effects) {

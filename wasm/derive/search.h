@@ -18,7 +18,7 @@ void begin_search(Derived& facts, Effects& effects);
 // Begins to count the balanced robots of this capacity that are needed if any one robot may fail
 // (FailurePlan). Does nothing, in O(1), if there is no capacity, if the search for the robots on
 // the screen has not ended, or if the count is known or under way.
-void begin_count(Derived& facts, const std::optional<double>& capacity, Effects& effects);
+void begin_count(Derived& facts, const Shown& shown, Effects& effects);
 
 // Forgets the count, and ends the counting if it is under way.
 void drop_count(Derived& facts, Effects& effects);

@@ -134,8 +134,7 @@ void draw_push(const Painter& painter, const CanvasView& view) {
   const Placement& placement = *view.placement;
   if (hover.kind != Pick::Kind::object || hover.second != view.second || placement.teams.empty())
     return;
-  const double force =
-      tipping_force(placement.lifting_base, placement.centre_of_mass, placement.weight(), hover.at);
+  const double force = tipping_force({placement, shown(view.state)}, hover.at);
   const bool safe = std::isinf(force);
   const ImVec2 at = painter.at(hover.at);
   const Colour colour = safe ? view.theme.hull_text : view.theme.amber_on_object;
@@ -144,7 +143,8 @@ void draw_push(const Painter& painter, const CanvasView& view) {
   const std::string text =
       safe ? "A press down here does not tip it"
            : say("Tips under a press down of {force}",
-                 {load_in_words(force, placement.weight(), shown(view.state).units)});
+                 {with_weight_unit(amount(force, placement.weight(), Toward::down),
+                                   shown(view.state).units)});
   // On the box, which has the panel's colour, the lifting base's dark green would be illegible.
   draw_word(painter.list(), Vec2(static_cast<double>(at.x), static_cast<double>(at.y)),
             view.uncovered(), view.theme, safe ? view.theme.text : view.theme.amber, text);

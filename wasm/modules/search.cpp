@@ -20,7 +20,7 @@ struct Task {
   BalancedProblem problem;
   std::optional<BalancedSearch> search;   // from where it goes on
   std::optional<Placement> counted = {};  // with a capacity, in place of a search
-  double capacity = 0;
+  Shown shown = {};                       // the capacity, and the conditions for which to count
 };
 
 std::optional<Task> task_of(std::string_view text, std::string_view settings,
@@ -38,7 +38,7 @@ std::optional<Task> task_of(std::string_view text, std::string_view settings,
     counted.own_centre = centre->own;
     counted.centre_of_mass = centre->all;
     counted.settings = document->settings;
-    return Task{std::move(problem), std::nullopt, std::move(counted), *document->shown.capacity};
+    return Task{std::move(problem), std::nullopt, std::move(counted), document->shown};
   }
   if (robots.empty()) return Task{std::move(problem), std::nullopt};
   auto start = read_robots(robots, document->settings.robots, *object);
@@ -77,7 +77,7 @@ std::string search(const RequestMembers& members) {
       task_of(members.text("polygon"), members.text("settings"), members.text("robots"));
   if (!task) return json::object({{"problem", json::text("the search cannot begin")}});
   if (!task->counted) return search_to_its_end(*task);
-  return found(plan_text(plan_for_failures(*task->counted, task->capacity)));
+  return found(plan_text(plan_for_failures({*task->counted, task->shown}, *task->shown.capacity)));
 }
 
 }  // namespace evenlift::view

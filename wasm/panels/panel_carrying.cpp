@@ -17,9 +17,11 @@
 namespace evenlift::view {
 namespace {
 
-constexpr LengthRow height{Setting::com_height, "Height of C",
-                           "Height of the centre of mass above the plane in which the robots lift",
-                           "Height of the centre of mass"};
+constexpr LengthRow height{
+    Setting::com_height, "Height of C",
+    "Height of the centre of mass, of the object with its cargo, above the plane in "
+    "which the robots lift",
+    "Height of the centre of mass"};
 constexpr LengthRow uneven{Setting::uneven, "Uneven by",
                            "How much the ground, or a robot's height, is off at most",
                            "Unevenness of the ground"};
@@ -34,10 +36,11 @@ struct RatioRow {
 };
 const RatioRow ratios[] = {
     {&Carrying::slope, Setting::slope, 0.01, "slope", "Slope",
-     "Greatest slope of the ground in any direction; type 8%, 4.6deg or 0.08",
-     "Greatest slope of the ground", slope_in_words},
+     "Greatest slope, in any direction, of the plane in which the robots lift: the ground's, "
+     "unless they level the object; type 8%, 4.6deg or 0.08",
+     "Greatest slope", [](double value) { return slope_in_words(value); }},
     {&Carrying::acceleration, Setting::acceleration, 0.05, "acceleration", "Braked at",
-     "Greatest horizontal acceleration in any direction, in g", "Greatest acceleration, in g",
+     "Greatest acceleration along the ground in any direction, in g", "Greatest acceleration, in g",
      [](double value) { return plain(value) + "\u00A0g"; }},
 };
 
@@ -60,7 +63,7 @@ void draw_ratio(const Ui& ui, const RatioRow& row) {
 const OptionalRow give{Setting::give,
                        "Robots give way",
                        "By how much a robot gives way under its mean load: its springs, tyres or "
-                       "rubber. It decides what uneven ground does",
+                       "rubber. Without it, uneven ground can do its worst",
                        "Length by which a robot gives way",
                        "not known",
                        "no give",

@@ -115,11 +115,6 @@ void draw_in(const Ui& ui, float height, const Verdict& v, const std::string& re
   draw_presumed(ui, at, ImVec2(at.x + after_sign + beside, at.y + height));
 }
 
-// Problems come first.
-std::string rest_of(const Ui& ui, const Verdict& v) {
-  return overload_in_brief(ui.state) + v.detail;
-}
-
 void draw_failures_below(const Ui& ui) {
   // The words may fill their area.
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (ui.layout.wide ? 12 : 8));
@@ -141,7 +136,7 @@ void draw_verdict_words(const Ui& ui) {
   const float height = ui.layout.wide ? beside_drawing : in_sheet;
   const bool offers = has_offer(ui, v);
   const float words = height - (offers ? ui.control() + 4 : 0);
-  draw_in(ui, words, v, rest_of(ui, v));
+  draw_in(ui, words, v, v.detail);
   if (!offers) return;
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + height - words);
   draw_offer(ui);
@@ -150,7 +145,7 @@ void draw_verdict_words(const Ui& ui) {
 void draw_verdict_details(const Ui& ui) {
   constexpr std::size_t usual = 3;  // lines
   const Verdict v = verdict(ui.state);
-  const std::string rest = rest_of(ui, v);
+  const std::string& rest = v.detail;
   const float width = ImGui::GetContentRegionAvail().x;
   const std::size_t lines = broken_lines(Face::text, rest, width).size();
   text_block_of(Face::text, ui.theme.second_text, rest, width, std::max(lines, usual));
@@ -178,9 +173,7 @@ void draw_embedded_verdict(const Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Verdict v = verdict(ui.state);
   draw_sign(ui, v.mood, ImVec2(at.x + 8 + 11, at.y + height / 2));
-  // An overload comes first, since the rest may be cut off.
-  const std::string text =
-      v.mood == Mood::good ? v.headline : overload_in_brief(ui.state) + v.headline + " " + v.detail;
+  const std::string text = v.mood == Mood::good ? v.headline : v.headline + " " + v.detail;
   const float left = 8 + 22 + 10, room = width - left - button - 8;
   const Face face = broken_lines(Face::text, text, room).size() == 1 ? Face::text : Face::label;
   const std::size_t lines = std::min<std::size_t>(broken_lines(face, text, room).size(), 2);

@@ -40,22 +40,25 @@ namespace {
 
 Mood mood_of(const Judgement& judgement, const Placement& placement) {
   if (judgement.kind == VerdictKind::good) return Mood::good;
-  const bool falls = judgement.kind == VerdictKind::bad && !placement.teams.empty();
-  return falls ? Mood::falls : Mood::not_quite;
+  const bool bad = judgement.kind == VerdictKind::bad && !placement.teams.empty();
+  return bad ? Mood::falls : Mood::not_quite;
 }
 
 Verdict of_placement(const AppState& state) {
   const Placement& placement = *state.derived().placement;
   const ShownPlacement now = of(state);
   const Outlook& outlook = state.derived().outlook;
-  const std::string tips =
-      placement.loads ? tipping_in_words(outlook.robustness, now) : std::string();
-  std::string detail = (tips.empty() ? tips : tips + " ") + detail_in_words(now);
+  const std::string loads = loads_in_words(now, outlook.model, outlook.loads),
+                    news = worst_news_in_words(now, outlook.model, outlook.loads),
+                    if_uneven = if_uneven_in_words(now, outlook.loads);
+  std::string detail = news.empty() ? std::string() : loads + " ";
+  if (!if_uneven.empty()) detail += if_uneven + " ";
+  detail += detail_in_words(now);
   for (const std::string& misfit : misfits_in_words(now)) detail += " " + misfit;
   if (!placement.teams.empty() && !placement.goal_reached)
     detail += " " + say("So the goal to hold is not reached.");
-  return {mood_of(judge(now, outlook.robustness, outlook.loads), placement),
-          loads_in_words(now, outlook.model, outlook.loads), std::move(detail)};
+  return {mood_of(judge(now, outlook.model, outlook.loads), placement), news.empty() ? loads : news,
+          std::move(detail)};
 }
 
 Verdict of_failure(const AppState& state, const Failure& failure) {
@@ -191,27 +194,21 @@ std::string score(const AppState& state) {
              {robots, of.most, of.spread, of.covered, of.held});
 }
 
-std::string need_in_words(const AppState& state) {
+std::string need_in_words(const AppState& state, bool with_overloaded) {
   if (!state.derived().placement || !has_capacities(of(state))) return {};
   const Outlook& outlook = shown_outlook(state);
   const Failure* failure = failing(state);
   const Derived& facts = state.derived();
   // During a drag, the plan is still for the former object.
   const bool plans = !facts.plan_due;
-  return capacity_in_words(of(state), plans && facts.plan ? &*facts.plan : nullptr,
-                           overloaded(state, outlook), outlook.model,
-                           failure ? std::optional(failure->robot) : std::nullopt,
-                           plans && facts.spare && !failure ? &*facts.spare : nullptr);
-}
-
-std::string overload_in_brief(const AppState& state) {
-  const bool wanted = state.derived().placement && !state.derived().refusal &&
-                      !draws(state.view.tool) && !failing(state) && is_overloaded(state);
-  if (!wanted) return {};
-  return (has_own_capacities(of(state))
-              ? say("A robot carries more than its capacity.")
-              : say("A capacity of {limit} is too low.", {limit_in_words(of(state))})) +
-         " ";
+  const CapacityPlan* plan = plans && facts.plan ? &*facts.plan : nullptr;
+  const FailurePlan* spare = plans && facts.spare && !failure ? &*facts.spare : nullptr;
+  const auto failed = failure ? std::optional(failure->robot) : std::nullopt;
+  // What tips carries nothing.
+  if (!with_overloaded || (failure && failure->rest && !failure->rest->stays))
+    return needs_in_words(of(state), plan, outlook.model, failed, spare);
+  return capacity_in_words(of(state), plan, overloaded(state, outlook), outlook.model, failed,
+                           spare);
 }
 
 std::string model_words(const AppState& state) {
@@ -225,8 +222,8 @@ std::string uncertainty_words(const AppState& state) {
   if (!models || !models->disturbance.any()) return {};
   std::string text =
       uncertainty_in_words(*models, state.derived().outlook.robustness, shown(state));
-  if (has_capacities(of(state)))
-    text += " " + uncertainty_for_capacity_in_words(*models, of(state));
+  if (has_capacities(of(state)) && !tips_when_disturbed(of(state)))
+    text += (text.empty() ? "" : " ") + uncertainty_for_capacity_in_words(*models, of(state));
   return text;
 }
 
@@ -235,25 +232,25 @@ std::string carrying_words(const AppState& state) {
   if (!facts.placement || facts.refusal || !facts.placement->loads) return {};
   std::string text;
   for (const std::string& sentence :
-       {without_effect_in_words(shown(state)), tilt_in_words(facts.outlook.robustness, of(state)),
+       {given_in_part_in_words(of(state)), tilt_in_words(facts.outlook.robustness, of(state)),
         facts.outlook.extra ? extra_in_words(*facts.outlook.extra, of(state)) : std::string()})
     if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;
   return text;
 }
 
 Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest) {
-  if (!rest) return Mood::falls;
-  return rest->clear && rest->stays && !overloads(of(state), rest) ? Mood::good : Mood::not_quite;
+  if (!rest || !rest->stays) return Mood::falls;
+  return rest->clear && !overloads(of(state), rest) ? Mood::good : Mood::not_quite;
 }
 
 std::string failure_words(const AppState& state, std::size_t robot) {
   const std::size_t all = count_robots(state.derived().placement->teams);
   if (state.derived().failure && state.derived().failure->robot == robot)
     return failure_in_words(robot, all, state.derived().failure->rest, shown(state).capacity,
-                            shown(state).units);
+                            shown(state).units, conditions_in_words(shown(state)));
   if (robot >= state.derived().failures.size()) return {};
   return failure_in_words(robot, all, state.derived().failures[robot], shown(state).capacity,
-                          shown(state).units);
+                          shown(state).units, conditions_in_words(shown(state)));
 }
 
 Verdict verdict(const AppState& state) {
@@ -284,8 +281,8 @@ std::string presumed_in_words(const AppState& state) {
                      !state.derived().placement->teams.empty();
   if (!shown) return {};
   if (failing(state))
-    return "Loads are those of equally stiff and level robots; a sudden failure can double their "
-           "change for a moment";
+    return "Loads are those of equally stiff and level robots, at rest; at a sudden failure they "
+           "swing beyond this";
   return "Loads assume controlled forces; stability assumes robots that push back (stiff, or at a "
          "fixed height) and no overload";
 }
@@ -299,8 +296,8 @@ std::string summary(const AppState& state) {
   if (state.derived().refusal || !state.derived().placement || draws(state.view.tool)) return text;
   if (const Failure* failure = failing(state))
     return text + loads_while_failing(*failure, shown(state).units);
-  for (const std::string& more :
-       {need_in_words(state), model_words(state), uncertainty_words(state), carrying_words(state)})
+  for (const std::string& more : {need_in_words(state, !is_overloaded(state)), model_words(state),
+                                  uncertainty_words(state), carrying_words(state)})
     if (!more.empty()) text += " " + more;
   const Placement& placement = *state.derived().placement;
   const Settings& settings = placement.settings;

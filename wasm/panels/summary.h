@@ -22,8 +22,9 @@ Verdict verdict(const AppState& state);
 // The verdict's assumptions about the robots; empty if the verdict is not about placed robots.
 std::string presumed_in_words(const AppState& state);
 
-// The mood after a robot's failure: `falls` if the other robots do not carry the object,
-// `not_quite` if the object may tip or a robot is overloaded, and otherwise `good`.
+// The mood after a robot's failure: `falls` if the other robots do not carry the object, or if it
+// tips under the given conditions; `not_quite` if a press may tip it or a robot is overloaded; and
+// otherwise `good`.
 Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest);
 
 // Describes what happens if the robot with this number, from 0, fails; empty if unknown.
@@ -40,16 +41,13 @@ ScoreInWords score_of(const Placement& placement, const Units& units);
 bool is_overloaded(const AppState& state);
 bool is_overloaded(const AppState& state, std::size_t robot);
 
-// A sentence about an overloaded robot; empty if no robot is overloaded.
-std::string overload_in_brief(const AppState& state);
-
 // The score of robots placed by hand, such as
 // "4 robots · at most 29.0 kg · spread 8.0 kg · 64 % covered · not held".
 std::string score(const AppState& state);
 
-// Says whether each robot stays within its capacity, and how many robots are needed; empty if no
-// capacity is given.
-std::string need_in_words(const AppState& state);
+// Says whether each robot stays within its capacity, unless the verdict says it, and how many robots
+// are needed; empty if no capacity is given.
+std::string need_in_words(const AppState& state, bool with_overloaded = true);
 
 // model_words() states the assumptions of the shown loads, and uncertainty_words() the effect of
 // the disturbance (uncertainty.h), each in a sentence or two. Both are empty for the plan without a

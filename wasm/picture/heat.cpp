@@ -5,14 +5,15 @@
 #include <iterator>
 #include <limits>
 
+#include "evenlift/placed_robots.h"
 #include "evenlift/plane.h"
 #include "picture/triangulate.h"
 
 namespace evenlift::view {
 namespace {
 
-// A side of the lifting base. Distances beyond it are in units of its distance from the centre of
-// mass.
+// A side of the lifting base. Distances beyond it are in units of its distance from the farthest
+// place towards it where the weight may act.
 struct Side {
   Vec2 a, along;
   double within;
@@ -22,14 +23,15 @@ struct Side {
 // With thousands of corners a base is practically round: not all of its sides are needed.
 constexpr std::size_t most_sides = 1000;
 
-// Those with a vertex beyond them; the others cut nothing off.
-std::vector<Side> cutting_sides(const Placement& placement) {
+// Those with a vertex beyond them; the others cut nothing off. The weight acts within `reach` of C.
+std::vector<Side> cutting_sides(const Placement& placement, double reach) {
   std::vector<Side> sides;
   const Points& hull = placement.lifting_base;
   const std::size_t step = (hull.size() + most_sides - 1) / most_sides;
   for (std::size_t i = 0; i < hull.size(); i += step) {
     const Vec2 along = hull[i + 1 == hull.size() ? 0 : i + 1] - hull[i];
-    const Side side{hull[i], along, cross(along, placement.centre_of_mass - hull[i])};
+    const Side side{hull[i], along,
+                    cross(along, placement.centre_of_mass - hull[i]) - reach * length(along)};
     if (!(side.within > 0)) continue;
     const bool cuts = std::any_of(placement.vertices().begin(), placement.vertices().end(),
                                   [&](const Vec2& p) { return side.beyond(p) > 0; });
@@ -81,16 +83,18 @@ HeatBand band(const Placement& placement, const Points& corners,
 
 }  // namespace
 
-std::vector<HeatBand> heat_bands(const Placement& placement,
+std::vector<HeatBand> heat_bands(const ShownPlacement& of,
                                  const std::vector<std::uint32_t>& triangles) {
+  const Placement& placement = of.placement;
   if (placement.lifting_base.size() < 3) return {};
-  const std::vector<Side> sides = cutting_sides(placement);
+  const std::vector<Side> sides = cutting_sides(placement, effect_on(of).reach);
   const Points corners = joined(placement.vertices(), placement.object.rings_of_holes());
   std::vector<HeatBand> bands;
   const auto add = [&](double share) {
     bands.push_back(band(placement, corners, triangles, sides, share));
   };
   add(0);
+  if (tips_when_disturbed(of)) return bands;
   for (const double level : heat_levels) add(level);
   add(std::numeric_limits<double>::infinity());
   return bands;

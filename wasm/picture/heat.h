@@ -1,5 +1,6 @@
 // The heat map shows, for each point outside the lifting base, the least downward press there that
-// tips the object if the robots push back and none is overloaded.
+// tips the object under the given conditions (tilt.h), if the robots push back and none is
+// overloaded.
 #pragma once
 
 #include <vector>
@@ -21,11 +22,12 @@ struct HeatBand {
 };
 
 // Returns the bands from the outermost (share 0, the whole object) inwards; each is painted over
-// the preceding one. There are no bands if the lifting base has no area. `triangles` are the
+// the preceding one. There are no bands if the lifting base has no area, and only the outermost if
+// the object tips under the given conditions. `triangles` are the
 // object's, from triangulate(); if they are empty, the bands have regions. A band is an
 // intersection of half-planes: the sides of the lifting base, moved outwards (algorithm.md,
 // Stability). O(levels n h) for n vertices and the h sides that have a vertex beyond them.
-std::vector<HeatBand> heat_bands(const Placement& placement,
+std::vector<HeatBand> heat_bands(const ShownPlacement& of,
                                  const std::vector<std::uint32_t>& triangles);
 
 }  // namespace evenlift::view

@@ -75,7 +75,13 @@ void follow(Scene& scene, const AppState& state, const Placement& placement, dou
     scene.shapes = make_picture(placement, overlays, most_lines);
     scene.overlays = overlays;
     if (anew) follow_anew(scene, state, placement, before, now);
-    if (overlays.tipping && scene.heat.empty()) scene.heat = heat_bands(placement, scene.triangles);
+  }
+  if (overlays.tipping) {
+    const ShownPlacement now_shown(placement, shown(state));
+    const double reach = effect_on(now_shown).reach;
+    if (scene.heat.empty() || reach != scene.heat_reach)
+      scene.heat = heat_bands(now_shown, scene.triangles);
+    scene.heat_reach = reach;
   }
   if (scene.progress < 1) {
     const double share = std::clamp((now - scene.changed_at) / motion_seconds, 0.0, 1.0);

@@ -30,6 +30,7 @@ struct Scene {
   Points corners;
   std::vector<std::uint32_t> triangles;
   std::vector<HeatBand> heat;  // computed when it is first shown
+  double heat_reach = 0;       // of the conditions (uncertainty.h) for which it was computed
   bool shows_heat() const { return overlays.tipping && !heat.empty(); }
   CoveragePlace coverage;  // where the coverage's number appears, if there is room
 

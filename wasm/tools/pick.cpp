@@ -131,13 +131,15 @@ std::optional<Vec2> uncertainty_grip(const AppState& state) {
     return std::nullopt;
   const Vec2 up_and_right(0.70710678, -0.70710678);
   return Vec2(state.view.camera.to_screen(centre_of_mass(state)) +
-              up_and_right * (disturbance_of(shown(state)).reach * state.view.camera.scale +
+              up_and_right * (effect_on({*state.derived().placement, shown(state)}).reach *
+                                  state.view.camera.scale +
                               grip_stands_off(state)));
 }
 
 double uncertainty_for_grip(const AppState& state, const Vec2& screen) {
   const double away = distance(state.view.camera.to_screen(centre_of_mass(state)), screen);
-  const double besides = disturbance_of(shown(state)).reach - shown(state).com_radius,
+  const double besides = effect_on({*state.derived().placement, shown(state)}).reach -
+                         shown(state).com_radius,
                radius = (away - grip_stands_off(state)) / state.view.camera.scale - besides;
   return std::max(0.0, rounded_to_pixels(state.view.camera, Vec2(radius, 0)).x);
 }

@@ -7,7 +7,7 @@ const words = [
   ["Arm", "The distance of a robot from the centre of mass. In a team the robot with the shorter arm carries more."],
   [
     "Balanced robots",
-    "Any number of robots whose centroid is the centre of mass. Equal forces at these robots can add up to the weight without turning the object, so all can carry the same load. They do if their forces are controlled, or if all are equally stiff and level and the object does not bend. Three robots that are not on one line always carry equal loads.",
+    "Any number of robots whose centroid is the centre of mass. Equal forces at these robots can add up to the weight without turning the object, so all can carry the same load. They do if their forces are controlled, or if all are equally stiff and level and the object does not bend. Three balanced robots that are not on one line always do, even on uneven ground.",
   ],
   [
     "Candidate",
@@ -15,7 +15,11 @@ const words = [
   ],
   [
     "Centre of mass, C",
-    "The point at which the object balances. It is the centroid of the area unless you move it. It must lie strictly inside the convex hull, but may lie outside the object.",
+    "The point at which the object balances, together with its cargo. It is the centroid of the area unless you move it or add weights. It must lie strictly inside the convex hull, but may lie outside the object.",
+  ],
+  [
+    "Centroid of robots",
+    "The mean of their places: its x is the mean of all x, and its y is the mean of all y. The centroid of three robots is the centroid of their triangle. If it is the centre of mass, all robots can carry the same load.",
   ],
   [
     "Chord",
@@ -31,7 +35,7 @@ const words = [
   ],
   [
     "Coverage",
-    "The share of the object's area that lies inside the lifting base, from 0 to 100 %. A downward press there does not tip the object, as long as the robots push back (they are stiff, or held at height) and none is overloaded.",
+    "The share of the object's area that lies inside the lifting base, from 0 to 100 %. A downward press there does not tip the object, as long as the robots push back (they are stiff, or held at height) and none is overloaded. On a slope, or while the object is braked, this is true of a press at the height of the lifting points, if the object does not tip without it.",
   ],
   [
     "Edge pair",
@@ -52,12 +56,12 @@ const words = [
   ],
   [
     "Load",
-    "The weight that one robot carries. As planned, all teams carry equal parts of the weight; within a team, each robot's share is the other robot's arm divided by the length of the chord. Planned loads presume that each robot's force is controlled, and coverage presumes robots that push back. Even teams and balanced robots meet both conditions if all robots are equally stiff and level and the object does not bend.",
+    "The weight that one robot carries: 1 kg stands for the weight of a mass of 1 kg, which is 9.81 N. As planned, all teams carry equal parts of the weight; within a team, each robot's share is the other robot's arm divided by the length of the chord. Planned loads presume that each robot's force is controlled, and coverage presumes robots that push back. Even teams and balanced robots meet both conditions if all robots are equally stiff and level and the object does not bend. Ranges of planned loads presume that the robots are set to these loads with C as assumed, and that each then keeps its height and gives way like an equally stiff spring.",
   ],
   ["Load ratio", "The shorter arm of a chord divided by the longer one. At 1 both robots carry the same load."],
   [
     "Margin",
-    "The strength of a hold: the radius of the largest ball about 0 that fits among the forces and torques that the contacts can exert if all their forces together are at most 1 (the L1 form). It depends on C and on the object's size, so use it to compare placements of one object, not different objects.",
+    "The strength of a hold: the radius of the largest ball about 0 that fits among the forces and torques that the contacts can exert if all their forces together are at most 1 (the L1 form). Against a side force through C, contact forces that add up to this force divided by the margin are enough. The margin depends on C and on the object's size, so use it to compare placements of one object, not different objects.",
   ],
   [
     "Method",
@@ -81,7 +85,7 @@ const words = [
   ],
   [
     "Skew load",
-    "The load beyond the plan that a robot carries because heights or stiffness are unequal. The loads at worst are its extreme: the greatest load that each robot can get as long as the object stays up. They follow from equilibrium alone, so they also bound the loads under an object that bends.",
+    "The load beyond the plan that a robot carries because heights or stiffness are unequal. The loads at worst are its extreme: the greatest load that each robot can get on level ground, with C as given, as long as the object stays up. They follow from equilibrium alone, so they also bound the loads under an object that bends.",
   ],
   [
     "Team",
@@ -89,15 +93,15 @@ const words = [
   ],
   [
     "Tipping",
-    "A downward press outside the lifting base tips the object if the press is strong enough. The colours show the force needed at each point.",
+    "A downward press outside the lifting base tips the object if the press is strong enough. The colours show the force needed at each point; a C uncertainty, a slope or braking makes it smaller.",
   ],
   [
     "Tipping distance",
-    "The distance that C may be off before the object tips, if the conditions given under Coverage are met. It is the radius of the dashed circle about C. The ring that you can drag shows the C uncertainty, and what slopes and braking add: the weight acts inside the ring. Riggers call the area inside the ring the CoG envelope (CoG: centre of gravity).",
+    "The distance that C may be off on level ground before the object tips, if the conditions given under Coverage are met. It is the radius of the dashed circle about C. The ring that you can drag shows the C uncertainty, and what slopes and braking add: the weight acts inside the ring. Riggers call the area in which C itself may lie the CoG envelope (CoG: centre of gravity); slopes and braking are not part of it.",
   ],
   [
     "Zero moment point",
-    "The point of the plane of the lifting points at which weight and inertia act together. On level ground, at rest, it is C. On a slope it lies downhill of C by the height of C times the slope; while the object is braked, it lies ahead of C by the height of C times the deceleration in g. The object tips when it leaves the lifting base.",
+    "The point of the plane of the lifting points at which weight and inertia act together. On level ground, at rest, it is C. On a slope it lies downhill of C by the height of C times the slope of this plane; while the object is braked on level ground, it lies ahead of C by the height of C times the deceleration in g. Braking on the way down a slope moves it by a little more than the sum of the two. The object tips when it leaves the lifting base.",
   ],
 ];
 

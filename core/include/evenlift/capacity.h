@@ -46,7 +46,8 @@ std::optional<double> com_radius_within(const ShownPlacement& of, const ModelLoa
 
 // Whether any robot's load by springs may exceed the robot's capacity after a failure, within the
 // disturbance (uncertainty.h) for which `rest` was computed. False if the other robots do not carry
-// the object. overloads_after() answers this for each failure. O(m) for each failure.
+// the object, or if it tips under these conditions. overloads_after() answers this for each failure.
+// O(m) for each failure.
 bool overloads(const ShownPlacement& of, const std::optional<RestOfRobots>& rest);
 std::vector<bool> overloads_after(const ShownPlacement& of,
                                   const std::vector<std::optional<RestOfRobots>>& failures);
@@ -78,15 +79,19 @@ struct CapacityPlan {
 // does not check whether such a set exists. For given supports no plan is possible.
 CapacityPlan plan_capacity(const Placement& placement, double capacity);
 
-// The number of robots needed if any one robot may fail. While all robots work, no planned load
-// exceeds the capacity. After one has failed, the others carry the object, and no load by springs
-// (load_models.h) exceeds the capacity. exceeds() (tolerance.h) decides both. The plan does not
-// consider that loads change suddenly.
+// The number of robots needed if any one robot may fail, under the given conditions
+// (disturbance_of() of tilt.h). While all robots work, no planned load exceeds the capacity. After
+// one has failed, no load by springs (load_models.h) exceeds the capacity, and C is at least `clear`
+// (document.h), and at least the reach of the conditions, inside the hull of the others. The ends of
+// ranges count for loads. exceeds() (tolerance.h) decides them. The plan does not consider that
+// loads swing if a robot fails suddenly.
 struct FailurePlan {
   bool possible = false;
-  std::uint32_t robots = 0;  // the least number found, if `possible`
-  double greatest_load = 0;  // of a robot, before or after any one failure, if `possible`
-  std::uint32_t tried = 0;   // the greatest number of robots tried
+  // Whether no such number was found, but one with which only the loads are within the capacity.
+  bool can_tip = false;
+  std::uint32_t robots = 0;  // the least such number, if `possible` or `can_tip`
+  double greatest_load = 0;  // with this number: of a robot, before or after any one failure
+  std::uint32_t tried = 0;   // the greatest number of robots tried; 0 if none was
   bool operator==(const FailurePlan&) const = default;
 };
 
@@ -95,11 +100,12 @@ struct FailurePlan {
 // setting `survive` permit. It ends when there is no place for more teams, when check_swaps()
 // (swaps.h) refuses more, or after most_teams_tried() teams (for balanced robots, after
 // most_robots). It also ends before it would compute more loads in all than `most_loads_planned`; m
-// robots need m^2. For balanced robots it tries at most `most_sets_planned` different numbers, each
-// with a whole search. For given supports no plan is possible.
+// robots need m^2, and m^3 if heights are off. For balanced robots it tries at most
+// `most_sets_planned` different numbers, each with a whole search. For given supports no plan is
+// possible.
 inline constexpr std::uint64_t most_loads_planned = std::uint64_t{1} << 21;
 inline constexpr std::uint32_t most_sets_planned = 8;
-FailurePlan plan_for_failures(const Placement& placement, double capacity);
+FailurePlan plan_for_failures(const ShownPlacement& of, double capacity);
 
 // Whether two placements agree in everything on which plans depend. O(n).
 bool same_plan(const Placement& a, const Placement& b);

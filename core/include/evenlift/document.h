@@ -20,7 +20,7 @@ inline constexpr double min_diagonal = 1e-9;              // diagonal of a polyg
 inline constexpr double max_length = max_coordinate;      // a given size or distance
 inline constexpr double min_length = 1e-100;              // a given length above 0
 inline constexpr double max_slope = 1;                    // slope of the ground, 45 degrees
-inline constexpr double max_acceleration = 10;            // horizontal acceleration, in g
+inline constexpr double max_acceleration = 10;            // acceleration along the ground, in g
 inline constexpr double max_weight = 1e100;               // a weight or a capacity
 inline constexpr double min_weight = 1e-100;              // a weight or a capacity
 inline constexpr std::size_t max_vertices = 1u << 20;     // vertices of a polygon with its holes
@@ -201,12 +201,14 @@ struct Settings {
 // Conditions that affect the loads and whether the object tips, but not where robots stand (tilt.h,
 // extra_load.h).
 struct Carrying {
-  double com_height = 0;  // height of C above the lifting points, 0 .. max_length
-  double slope = 0;  // greatest slope of the ground in any direction, as a ratio, 0 .. max_slope
-  double acceleration = 0;     // greatest horizontal acceleration in any direction, in g,
+  double com_height = 0;  // height of C, of the object with its cargo, above the lifting points,
+                          // 0 .. max_length
+  double slope = 0;  // greatest slope of the plane of the lifting points in any direction, as a
+                     // ratio, 0 .. max_slope
+  double acceleration = 0;     // greatest acceleration along the ground in any direction, in g,
                                // 0 .. max_acceleration
   std::optional<double> give;  // how far a robot gives way under the mean load,
-                               // min_length .. max_length; empty means that `uneven` has no effect
+                               // min_length .. max_length; empty means that it may be very little
   double uneven = 0;  // greatest error of the ground or of a robot's height, 0 .. max_length
   std::optional<double> extra;  // a further weight that may stand on the object, such as a person,
                                 // min_weight .. max_weight

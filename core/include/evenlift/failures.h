@@ -1,5 +1,6 @@
-// The effects of failing robots. A robot fails suddenly and then carries nothing. The analysis is
-// static; in fact, the sudden loss of a robot can for a moment double the change of a load.
+// The effects of failing robots. A robot fails and then carries nothing. The analysis is static: at
+// a sudden failure, loads swing beyond the new ones, those of the nearest robots by about twice the
+// change, others by more.
 //
 // The robots *carry* the object if C lies in their convex hull within tau L: they can balance its
 // weight. The object is *steady* if C lies inside the hull by more than tau L. A steady object also
@@ -49,11 +50,12 @@ struct RestOfRobots {
   // The greatest loads by the models `springs` and `best` (load_models.h).
   double greatest_by_springs = 0, least_greatest = 0;
   std::vector<double> springs;  // the loads by springs; 0 for the failed robot
-  std::vector<double> ends;     // the greatest loads by springs within the disturbance
-                                // (uncertainty.h); without a disturbance, `springs`
-  double greatest_end = 0;      // the greatest of `ends`
   // Whether the reach of the disturbance is at most the tipping distance, within tolerance.
   bool stays = true;
+  // The greatest loads by springs within the disturbance (uncertainty.h), and the greatest of them;
+  // empty if the object does not stay. Without a disturbance they are those of `springs`.
+  std::vector<double> ends;
+  std::optional<double> greatest_end;
 };
 
 // The effect of each robot's failure, in the order of the robots; an entry is empty if the others

@@ -82,4 +82,11 @@ std::optional<std::vector<double>> worst_loads(const Points& robots, const Vec2&
 std::optional<std::vector<double>> worst_loads(const Points& robots, const Vec2& centre,
                                                double diameter, double weight, double reach);
 
+// Returns each robot's least possible load if C may be anywhere in H within the distance `reach` >=
+// 0 of its place: the weight times the least t for which t p + (1 - t) H' comes within `reach` of C,
+// where H' is the hull of the other robots. It is 0 for a robot that the others can do without.
+// O(h m log m) for h corners of H.
+std::optional<std::vector<double>> least_loads(const Points& robots, const Vec2& centre,
+                                               double diameter, double weight, double reach);
+
 }  // namespace evenlift

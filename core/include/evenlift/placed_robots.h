@@ -72,8 +72,14 @@ std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
 bool may_let_go(LoadModel model, const Placement& placement,
                 const std::optional<ModelLoads>& models);
 
+// Returns the load of each robot by a model, for display: that of loads_by(), but without the given
+// conditions if the object tips under them, since what tips carries nothing. O(m log m).
+std::vector<LoadRange> shown_loads(const ShownPlacement& of, LoadModel model,
+                                   const std::optional<ModelLoads>& models);
+
 // Returns the planned loads for verdicts, requirements and capacities. They are ranges if there is
-// a disturbance (disturbance_of()). O(m); with a disturbance, the cost of model_loads().
+// a disturbance (disturbance_of()), unless the object tips under it. O(m); with a disturbance, the
+// cost of model_loads().
 std::vector<LoadRange> loads_when_disturbed(const ShownPlacement& of);
 
 // The failures and the error of C that the object survives without tipping, if robots push back and
@@ -88,14 +94,30 @@ struct Robustness {
 };
 Robustness robustness(const Placement& placement);
 
+// Returns the effect of the given conditions (disturbance_of() of tilt.h) on the placed robots
+// (uncertainty.h). O(m log m).
+DisturbanceEffect effect_on(const ShownPlacement& of);
+
 // Returns the slope and the acceleration at which the object tips in the worst direction (tilt.h).
 // It returns nothing if there are no robots or the height of C is 0. O(m log m).
 std::optional<Tilt> tilt_of(const ShownPlacement& of);
 
-// Returns whether the object can tip, that is, whether the disturbance (disturbance_of() of tilt.h)
-// may move the weight out of the lifting base by more than tau L. It returns false if there are no
-// robots. O(h).
+// Returns whether the object can tip under the given conditions, that is, whether they may move the
+// weight out of the lifting base by more than tau L. It returns false if there are no robots.
+// O(m log m).
 bool tips_when_disturbed(const ShownPlacement& of);
+
+// Returns the least press downward at q, a vertical force at the height of the lifting points, that
+// tips the object under the given conditions: the least of weight * (d_e - reach) / (distance of q
+// from e) over the edges e of H beyond which q lies, where d_e is the distance of C from e. On level
+// ground with an exact C it is tipping_force() (stability.h). It is infinite if q is in H, and 0 if
+// the object tips without it, or if H has no area and the reach is not 0. O(m log m).
+double tipping_force(const ShownPlacement& of, const Vec2& q);
+
+// Returns the greatest load of each robot that statics allows under the given conditions:
+// worst_loads() (load_models.h) with C anywhere within the reach. It returns nothing if the object
+// falls. O(m log m + m h).
+std::optional<std::vector<double>> worst_loads(const ShownPlacement& of);
 
 // The circles about C that a picture shows, each for one slope. Under the assumptions of tilt.h,
 // the object can tip on ground of that slope if the circle's point downhill from C lies outside the

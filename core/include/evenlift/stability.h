@@ -39,9 +39,12 @@ class CoverageWithin {
 };
 
 // The least downward force at q that tips an object of this weight, if robots lift it at the
-// corners of `hull`, push back and are not overloaded. The force is infinite if q is in H. With two
-// corners, as for a single team, the force is 0 if q is off their line. If q is on the line beyond
-// the end r, the force is `weight` |C r| / |q r|. With one corner it is 0 everywhere. O(h).
-double tipping_force(const Points& hull, const Vec2& centre, double weight, const Vec2& q);
+// corners of `hull`, push back and are not overloaded, and the weight acts anywhere within `reach`
+// of C (tilt.h). The force is infinite if q is in H, unless the object tips without it. With two
+// corners, as for a single team, the force is 0 if q is off their line, or if `reach` is above 0. If
+// q is on the line beyond the end r, the force is `weight` |C r| / |q r|. With one corner it is 0
+// everywhere. O(h).
+double tipping_force(const Points& hull, const Vec2& centre, double weight, const Vec2& q,
+                     double reach = 0);
 
 }  // namespace evenlift

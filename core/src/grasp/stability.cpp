@@ -67,15 +67,18 @@ double CoverageWithin::of(const Points& hull) const {
   return hull.size() < 3 ? 0 : share_of(area_, part_within(part_, hull, origin_));
 }
 
-double tipping_force(const Points& hull, const Vec2& centre, double weight, const Vec2& q) {
+double tipping_force(const Points& hull, const Vec2& centre, double weight, const Vec2& q,
+                     double reach) {
   if (hull.size() < 2) return 0;
-  if (hull.size() == 2) return segment_tipping_force(hull, centre, weight, q);
+  if (hull.size() == 2) return reach > 0 ? 0 : segment_tipping_force(hull, centre, weight, q);
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vec2 &a = hull[i], &b = hull[(i + 1) % hull.size()];
     const double beyond = cross(b - a, q - a);
+    const double room = cross(b - a, centre - a) - reach * length(b - a);
+    if (reach > 0 && room < 0) return 0;
     if (beyond >= 0) continue;
-    least = std::min(least, weight * (cross(b - a, centre - a) / -beyond));
+    least = std::min(least, weight * (room / -beyond));
   }
   return least;
 }

@@ -184,11 +184,11 @@ std::optional<double> com_radius_within(const ShownPlacement& of, const ModelLoa
   if (besides.any())
     if (const auto models = model_loads(of.placement, besides)) changes = models->changes;
   return radius_within_capacity(loads.springs, robustness(of.placement).tipping_distance, limits,
-                                changes, besides.reach);
+                                changes);
 }
 
 bool overloads(const ShownPlacement& of, const std::optional<RestOfRobots>& rest) {
-  return rest && !overloaded_robots(of, rest->ends).empty();
+  return rest && rest->stays && !overloaded_robots(of, rest->ends).empty();
 }
 
 std::vector<bool> overloads_after(const ShownPlacement& of,

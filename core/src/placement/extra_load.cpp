@@ -37,7 +37,8 @@ Points part_above_0(const Points& ring, const LinearPart& function) {
 // The part of a weight at q that a robot carries, and its room.
 struct Bearing {
   LinearPart part;
-  double least_room = 0;            // its load by springs minus its change by the disturbance
+  double least_room = 0;  // its load by springs minus its change by the disturbance, which counts
+                          // for more where less of the weight acts on the robots
   double greatest_room = infinity;  // its capacity minus its load, minus that change
 };
 
@@ -49,7 +50,7 @@ class Lift {
         robots_(positions(lifting_points(of.placement.teams))),
         unit_(known_size(robots_, of.placement.centre_of_mass, diameter())) {}
 
-  // Nothing if the robots are on one line.
+  // Nothing if the robots are on one line, or if the change of some load has no bound.
   std::optional<std::vector<Bearing>> bearings() const;
 
   Points seen(const Points& points) const {
@@ -74,14 +75,13 @@ class Lift {
   double diameter() const { return of_.placement.polygon().diameter(); }
 
   // Of all loads, as if no robot were slack.
-  std::vector<double> changes(const std::vector<Bearing>& bearings) const {
+  LoadChanges changes(const std::vector<Bearing>& bearings) const {
     const double weight = of_.placement.weight();
     SpringLoads springs{std::vector<double>(robots_.size(), weight), {}, infinity};
     for (const Bearing& bearing : bearings)
       springs.per_length.push_back(weight * (length(bearing.part.slope) / unit_));
     return load_changes(robots_, of_.placement.centre_of_mass, diameter(), weight, springs,
-                        disturbance_of(of_.shown))
-        .by;
+                        disturbance_of(of_.shown));
   }
 
   const ShownPlacement& of_;
@@ -100,11 +100,12 @@ std::optional<std::vector<Bearing>> Lift::bearings() const {
     const Vec2 slope = at.x * frame.axis[0] + at.y * frame.axis[1];
     all.push_back({{(1 - dot(slope, frame.mean)) / m, slope / m}});
   }
-  const std::vector<double> by = changes(all);
+  const LoadChanges changed = changes(all);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const double load = weight * all[i].part.constant;
-    all[i].least_room = load - by[i];
-    if (const auto capacity = capacity_of(of_, i)) all[i].greatest_room = *capacity - load - by[i];
+    const double load = weight * all[i].part.constant, by = changed.by[i];
+    if (by == std::numeric_limits<double>::max()) return std::nullopt;
+    all[i].least_room = load - by / changed.effect.kept;
+    if (const auto capacity = capacity_of(of_, i)) all[i].greatest_room = *capacity - load - by;
   }
   return all;
 }

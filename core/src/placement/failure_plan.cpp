@@ -3,10 +3,13 @@
 
 #include "evenlift/balanced.h"
 #include "evenlift/capacity.h"
+#include "evenlift/hull.h"
 #include "evenlift/load_models.h"
 #include "evenlift/selection.h"
 #include "evenlift/swaps.h"
+#include "evenlift/tilt.h"
 #include "evenlift/tolerance.h"
+#include "evenlift/uncertainty.h"
 
 namespace evenlift {
 namespace {
@@ -70,23 +73,77 @@ class Placer {
   std::vector<std::uint32_t> chosen_;
 };
 
-// The greatest load, intact or after any one failure; nullopt if the object then falls, or the load
-// exceeds the capacity.
-std::optional<double> greatest_of_all(const Placement& placement, const std::vector<Team>& teams,
-                                      double capacity) {
-  const Points all = positions(lifting_points(teams));
-  const std::vector<double> planned = planned_loads(teams);
-  double greatest = *std::max_element(planned.begin(), planned.end());
-  for (std::size_t failed = 0; failed < all.size() && !exceeds(greatest, capacity); ++failed) {
-    Points others = all;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(failed));
-    const auto springs = spring_loads(others, placement.centre_of_mass,
-                                      placement.polygon().diameter(), placement.weight());
-    if (!springs) return std::nullopt;
-    greatest = std::max(greatest, *std::max_element(springs->loads.begin(), springs->loads.end()));
+// Robots at their places, under the given conditions.
+class Crew {
+ public:
+  Crew(const ShownPlacement& of, const std::vector<Team>& teams)
+      : of_(of),
+        conditions_(disturbance_of(of.shown)),
+        planned_(planned_loads(teams)),
+        all_(positions(lifting_points(teams))) {}
+
+  // The greatest load, intact or after any one failure; nullopt if the object then falls, or if the
+  // load exceeds the capacity. `upright` becomes whether the object stays clearly upright, intact
+  // and after any failure.
+  std::optional<double> greatest_of_all(double capacity, bool& upright) const {
+    double greatest = greatest_load(all_, planned_, conditions_);
+    upright = true;
+    for (std::size_t failed = 0; failed < all_.size() && !exceeds(greatest, capacity); ++failed) {
+      Points others = all_;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(failed));
+      const Disturbance rest = after_failure(conditions_, all_.size());
+      const auto springs = springs_of(others);
+      if (!springs) return std::nullopt;
+      upright = upright && is_upright(others, rest);
+      greatest = std::max(greatest, greatest_load(others, springs->loads, rest));
+    }
+    return exceeds(greatest, capacity) ? std::nullopt : std::optional(greatest);
   }
-  return exceeds(greatest, capacity) ? std::nullopt : std::optional(greatest);
-}
+
+ private:
+  double diameter() const { return of_.placement.polygon().diameter(); }
+  const Vec2& centre() const { return of_.placement.centre_of_mass; }
+
+  std::optional<SpringLoads> springs_of(const Points& robots) const {
+    return spring_loads(robots, centre(), diameter(), of_.placement.weight());
+  }
+
+  // Of robots that bear these loads under the disturbance. If it tips, only the loads at rest are
+  // known.
+  double greatest_load(const Points& robots, const std::vector<double>& loads,
+                       const Disturbance& disturbance) const {
+    const auto springs = disturbance.any() ? springs_of(robots) : std::nullopt;
+    if (!springs || !stays(robots, disturbance))
+      return *std::max_element(loads.begin(), loads.end());
+    const LoadChanges changes =
+        load_changes(robots, centre(), diameter(), of_.placement.weight(), *springs, disturbance);
+    double greatest = 0;
+    for (const LoadRange& range : load_ranges(loads, changes))
+      greatest = std::max(greatest, range.greatest);
+    return greatest;
+  }
+
+  double tipping_distance_of(const Points& robots) const {
+    return tipping_distance(convex_hull(robots, near_distance(diameter())), centre(), diameter());
+  }
+
+  bool stays(const Points& robots, const Disturbance& disturbance) const {
+    return is_within_base(effect_on(robots, centre(), diameter(), disturbance).reach,
+                          tipping_distance_of(robots), diameter());
+  }
+
+  bool is_upright(const Points& robots, const Disturbance& disturbance) const {
+    const double distance = tipping_distance_of(robots);
+    return distance > 0 &&
+           distance >= hold_requirements(of_.placement).clear - near_distance(diameter()) &&
+           stays(robots, disturbance);
+  }
+
+  const ShownPlacement& of_;
+  Disturbance conditions_;
+  std::vector<double> planned_;
+  Points all_;
+};
 
 // After one failure, equal loads are weight / (robots - 1).
 std::uint32_t least_that_may_do(const Settings& settings, double capacity, std::uint32_t most) {
@@ -97,21 +154,35 @@ std::uint32_t least_that_may_do(const Settings& settings, double capacity, std::
   return balanced ? by_weight : by_weight + by_weight % 2;
 }
 
+// Whether the object can tip, or stands too near to tipping, even on robots all around it.
+bool tips_wherever_they_stand(const ShownPlacement& of) {
+  const Placement& placement = of.placement;
+  const double size = placement.polygon().diameter();
+  Disturbance on_even_ground = disturbance_of(of.shown);
+  on_even_ground.uneven = 0;
+  const double needed =
+      std::max(hold_requirements(placement).clear, effect_on({}, {}, size, on_even_ground).reach);
+  return !is_within_base(
+      needed, tipping_distance(convex_hull(placement.vertices()), placement.centre_of_mass, size),
+      size);
+}
+
 }  // namespace
 
-FailurePlan plan_for_failures(const Placement& placement, double capacity) {
+FailurePlan plan_for_failures(const ShownPlacement& of, double capacity) {
+  const Placement& placement = of.placement;
   if (placement.settings.method == Method::given) return {};
   Placer method(placement);
-  const bool balanced = method.is_balanced();
+  const bool balanced = method.is_balanced(), uneven = of.shown.carrying.uneven > 0;
   const std::uint32_t most = balanced ? most_robots : 2 * most_teams_tried(placement.settings),
                       step = balanced ? 1 : 2;
   const std::uint32_t least = least_that_may_do(placement.settings, capacity, most);
+  const bool hopeless = tips_wherever_they_stand(of);
   FailurePlan plan;
-  plan.tried = least - 1;
   std::uint64_t loads = 0;
   for (std::uint32_t robots = least; robots <= most; robots += step) {
     if (balanced && robots >= least + most_sets_planned) break;
-    loads += std::uint64_t{robots} * robots;
+    loads += std::uint64_t{robots} * robots * (uneven ? robots : 1);
     if (loads > most_loads_planned) break;
     if (swaps_teams(placement.settings) &&
         check_swaps(placement.candidates.size(), robots / 2, placement.stands.get()))
@@ -120,8 +191,11 @@ FailurePlan plan_for_failures(const Placement& placement, double capacity) {
     if (teams.empty() && !balanced) break;
     plan.tried = robots;
     if (teams.empty()) continue;
-    if (const auto greatest = greatest_of_all(placement, teams, capacity))
-      return {true, robots, *greatest, robots};
+    bool upright = false;
+    const auto greatest = Crew(of, teams).greatest_of_all(capacity, upright);
+    if (greatest && upright) return {true, false, robots, *greatest, robots};
+    if (greatest && !plan.can_tip) plan = {false, true, robots, *greatest, robots};
+    if (plan.can_tip && hopeless) break;
   }
   return plan;
 }

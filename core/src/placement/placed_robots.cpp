@@ -134,7 +134,14 @@ bool may_let_go(LoadModel model, const Placement& placement,
 std::vector<LoadRange> loads_when_disturbed(const ShownPlacement& of) {
   const Disturbance disturbance = disturbance_of(of.shown);
   const auto models = disturbance.any() ? model_loads(of.placement, disturbance) : std::nullopt;
-  return loads_by(LoadModel::plan, of.placement, models);
+  return shown_loads(of, LoadModel::plan, models);
+}
+
+std::vector<LoadRange> shown_loads(const ShownPlacement& of, LoadModel model,
+                                   const std::optional<ModelLoads>& models) {
+  if (models && has_ranges(model) && tips_when_disturbed(of))
+    return single(loads_of(model, of.placement, models));
+  return loads_by(model, of.placement, models);
 }
 
 Equilibrium equilibrium(const Placement& placement) {
@@ -161,20 +168,37 @@ Robustness robustness(const Placement& placement) {
           failures_steady(robots, centre, size, hold_requirements(placement).clear)};
 }
 
+DisturbanceEffect effect_on(const ShownPlacement& of) {
+  return effect_on(positions_of_all(of.placement), of.placement.centre_of_mass,
+                   diameter(of.placement), disturbance_of(of.shown));
+}
+
 bool tips_when_disturbed(const ShownPlacement& of) {
   const Placement& placement = of.placement;
   const double size = diameter(placement);
   return !placement.teams.empty() &&
-         !is_within_base(disturbance_of(of.shown).reach,
+         !is_within_base(effect_on(of).reach,
                          tipping_distance(placement.lifting_base, placement.centre_of_mass, size),
                          size);
+}
+
+double tipping_force(const ShownPlacement& of, const Vec2& q) {
+  const Placement& placement = of.placement;
+  return tipping_force(placement.lifting_base, placement.centre_of_mass, placement.weight(), q,
+                       effect_on(of).reach);
+}
+
+std::optional<std::vector<double>> worst_loads(const ShownPlacement& of) {
+  const Placement& placement = of.placement;
+  return worst_loads(positions_of_all(placement), placement.centre_of_mass, diameter(placement),
+                     placement.weight(), effect_on(of).reach_of_loads);
 }
 
 std::optional<Tilt> tilt_of(const ShownPlacement& of) {
   if (of.placement.teams.empty()) return std::nullopt;
   const double size = diameter(of.placement);
   auto tilt =
-      tilt_of(of.shown,
+      tilt_of(disturbance_of(of.shown), effect_on(of),
               tipping_distance(of.placement.lifting_base, of.placement.centre_of_mass, size), size);
   if (tilt && !of.placement.loads) tilt->stays = false;  // falls on level ground
   return tilt;
@@ -220,9 +244,7 @@ std::optional<std::vector<LoadRange>> ranges_without(const Placement& placement,
   const double size = diameter(placement), weight = placement.weight();
   const auto springs = spring_loads(others, centre, size, weight);
   if (!springs) return std::nullopt;
-  // The others are as stiff as before, but their mean load is greater.
-  Disturbance of_others = disturbance;
-  of_others.uneven *= static_cast<double>(others.size()) / static_cast<double>(others.size() + 1);
+  const Disturbance of_others = after_failure(disturbance, others.size() + 1);
   std::vector<LoadRange> ranges =
       disturbance.any() ? load_ranges(springs->loads, load_changes(others, centre, size, weight,
                                                                    *springs, of_others))

@@ -18,26 +18,38 @@ double slope_within(double room, double height) {
   return room > 0 ? std::min(room / height, most_shown) : 0;
 }
 
+// The slope k1 for which k1 + k2 sqrt(1 + k1^2) is `most`; 0 if k2 alone is more.
+double slope_beside(double k2, double most) {
+  if (!(most > k2)) return 0;
+  const double ratio = k2 / most;  // below 1; nothing overflows
+  return most * ((1 - ratio) * (1 + ratio)) /
+         (1 + ratio * std::sqrt(1 + (most - k2) * (most + k2)));
+}
+
 }  // namespace
 
 Disturbance disturbance_of(const Shown& shown) {
   const Carrying& carrying = shown.carrying;
-  Disturbance disturbance;
-  disturbance.reach =
-      shown.com_radius + carrying.com_height * (carrying.slope + carrying.acceleration);
-  if (carrying.give) disturbance.uneven = std::min(carrying.uneven / *carrying.give, most_shown);
-  disturbance.kept = 1 / std::sqrt(1 + carrying.slope * carrying.slope);
-  return disturbance;
+  return {shown.com_radius,      carrying.com_height, carrying.slope,
+          carrying.acceleration, carrying.uneven,     carrying.give};
 }
 
-std::optional<Tilt> tilt_of(const Shown& shown, double tipping_distance, double diameter) {
-  const double height = shown.carrying.com_height;
+std::optional<Tilt> tilt_of(const Disturbance& disturbance, const DisturbanceEffect& effect,
+                            double tipping_distance, double diameter) {
+  const double height = disturbance.com_height, k2 = disturbance.acceleration;
   if (!(height > 0)) return std::nullopt;
-  const double reach = disturbance_of(shown).reach;
-  const double slope = slope_within(tipping_distance - shown.com_radius, height);
-  return Tilt{
-      height, reach, is_within_base(reach, tipping_distance, diameter), slope, slope_degrees(slope),
-      slope};
+  const double most = slope_within(tipping_distance - disturbance.com_radius, height);
+  Tilt tilt;
+  tilt.height = height;
+  tilt.reach = effect.reach;
+  tilt.stays = is_within_base(effect.reach, tipping_distance, diameter);
+  tilt.slope = tilt.acceleration = most;
+  tilt.degrees = slope_degrees(most);
+  const double k1 = disturbance.slope + effect.tilt;
+  if (disturbance.slope > 0)
+    tilt.acceleration_left = std::max(0.0, (most - k1) / std::sqrt(1 + k1 * k1));
+  if (k2 > 0) tilt.slope_left = std::max(0.0, slope_beside(k2, most) - effect.tilt);
+  return tilt;
 }
 
 double tipping_slope(const Points& hull, const Vec2& centre, const Vec2& direction,

@@ -20,13 +20,10 @@ class Crew {
         centre_(centre),
         weight_(weight),
         inside_(inside),
-        disturbance_(disturbance),
+        disturbance_(after_failure(disturbance, count_robots(teams))),
         teams_(teams),
         contacts_(contacts(object, lifting_points(teams))),
         positions_(positions(lifting_points(teams))) {
-    // `uneven` is relative to the mean load, which grows; the stiffness stays.
-    const auto m = static_cast<double>(positions_.size());
-    disturbance_.uneven *= (m - 1) / m;
     const Points hull = convex_hull(positions_, near());
     if (hull.size() >= 3) coverage_.emplace(object, hull);
   }
@@ -93,20 +90,20 @@ std::optional<RestOfRobots> Crew::without(std::size_t robot) const {
   rest.margin = hold.margin;
   rest.greatest_by_plan = greatest_by_plan(robot);
   rest.greatest_by_springs = *std::max_element(springs->loads.begin(), springs->loads.end());
-  rest.stays = disturbance_.reach <= rest.tipping_distance + near();
+  rest.stays =
+      effect_on(others, centre_, diameter, disturbance_).reach <= rest.tipping_distance + near();
   rest.least_greatest = *best;
-  rest.springs = springs->loads;
-  rest.ends = springs->loads;
-  if (disturbance_.any()) {
-    rest.ends.clear();
-    for (const LoadRange& range :
-         load_ranges(springs->loads,
-                     load_changes(others, centre_, diameter, weight_, *springs, disturbance_)))
-      rest.ends.push_back(range.greatest);
+  const auto with_failed = [&](std::vector<double> loads) {
+    loads.insert(loads.begin() + static_cast<std::ptrdiff_t>(robot), 0.0);
+    return loads;
+  };
+  if (rest.stays) {
+    rest.ends = with_failed(disturbance_.any() ? greatest_loads(others, centre_, diameter, weight_,
+                                                                *springs, disturbance_)
+                                               : springs->loads);
+    rest.greatest_end = *std::max_element(rest.ends.begin(), rest.ends.end());
   }
-  rest.greatest_end = *std::max_element(rest.ends.begin(), rest.ends.end());
-  for (std::vector<double>* loads : {&rest.springs, &rest.ends})
-    loads->insert(loads->begin() + static_cast<std::ptrdiff_t>(robot), 0.0);
+  rest.springs = with_failed(springs->loads);
   return rest;
 }
 

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
+#include "exact/pseudo_angle.h"
+#include "exact/sorted_indices.h"
 #include "robustness/known_size.h"
 #include "robustness/standard_frame.h"
 
@@ -13,6 +16,40 @@ namespace evenlift {
 namespace {
 
 constexpr double most = std::numeric_limits<double>::max();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// The greatest sum of |v . a| over the arms a, for any unit vector v. It is the distance of the
+// farthest corner of the arms' zonotope, the set of all sums of s a with -1 <= s <= 1. The corners
+// follow each other as the arms, all turned upwards, change sign in the order of their directions.
+// O(m log m).
+double widest_sum(Points arms) {
+  Vec2 corner;
+  for (Vec2& arm : arms) {
+    if (arm.y < 0 || (arm.y == 0 && arm.x < 0)) arm = -arm;
+    corner += arm;
+  }
+  double greatest = length(corner);
+  for (const std::uint32_t i : sorted_indices(arms.size(), [&](std::uint32_t a, std::uint32_t b) {
+         return pseudo_angle(arms[a]) < pseudo_angle(arms[b]);
+       })) {
+    corner -= 2 * arms[i];
+    greatest = std::max(greatest, length(corner));
+  }
+  return greatest;
+}
+
+// The slope by which heights that are off by 1 may tilt the object (effect_on). Along a line of
+// robots, it is the slope of that line.
+double tilt_per_height(const Points& robots, const Vec2& centre, double unit) {
+  Points places;
+  for (const Vec2& robot : robots) places.push_back((robot - centre) / unit);
+  const StandardFrame frame = standard_frame(places);
+  for (Vec2& place : places) {
+    const Vec2 q = frame(place);
+    place = (q.x * frame.axis[0] + q.y * frame.axis[1]) / static_cast<double>(robots.size());
+  }
+  return widest_sum(std::move(places)) / unit;
+}
 
 // For each robot i, the sum of |P_ij| over j (uncertainty.h); 0 without load.
 std::vector<double> sums_of_projection(const Points& robots, const Vec2& centre, double unit,
@@ -38,6 +75,31 @@ std::vector<double> sums_of_projection(const Points& robots, const Vec2& centre,
   return sums;
 }
 
+// All but the least loads.
+LoadChanges greatest_changes(const Points& robots, const Vec2& centre, double diameter,
+                             double weight, const SpringLoads& springs,
+                             const Disturbance& disturbance) {
+  LoadChanges changes{effect_on(robots, centre, diameter, disturbance), false, {}, {}, {}};
+  const DisturbanceEffect& effect = changes.effect;
+  const bool some_idle = std::count(springs.loads.begin(), springs.loads.end(), 0.0) > 0;
+  const bool out_of_reach = effect.reach <= springs.same_within && !(effect.uneven > 0);
+  changes.others_may_carry = some_idle && !out_of_reach;
+  for (const double per_length : springs.per_length)
+    changes.by.push_back(std::min(effect.reach_of_loads * per_length, most));
+  if (effect.uneven > 0) {
+    const double mean = weight / static_cast<double>(robots.size());
+    const std::vector<double> sums =
+        sums_of_projection(robots, centre, known_size(robots, centre, diameter), springs.loads);
+    for (std::size_t i = 0; i < robots.size(); ++i)
+      if (sums[i] > tau)
+        changes.by[i] = std::min(changes.by[i] + mean * (effect.uneven * sums[i]), most);
+  }
+  // If only rounding puts C outside H, the only known bound is the whole weight.
+  changes.at_worst = worst_loads(robots, centre, diameter, weight, effect.reach_of_loads)
+                         .value_or(std::vector<double>(robots.size(), weight));
+  return changes;
+}
+
 }  // namespace
 
 double tipping_distance(const Points& hull, const Vec2& centre, double diameter) {
@@ -50,29 +112,50 @@ double tipping_distance(const Points& hull, const Vec2& centre, double diameter)
   return least > near_distance(known_size(hull, centre, diameter)) ? least : 0;
 }
 
+DisturbanceEffect effect_on(const Points& robots, const Vec2& centre, double diameter,
+                            const Disturbance& disturbance) {
+  const double height = disturbance.com_height, k2 = disturbance.acceleration;
+  DisturbanceEffect effect;
+  if (disturbance.uneven > 0 && height > 0 && !robots.empty())
+    effect.tilt =
+        disturbance.uneven * tilt_per_height(robots, centre, known_size(robots, centre, diameter));
+  const double k1 = disturbance.slope + effect.tilt, across = std::sqrt(1 + k1 * k1);
+  effect.reach = disturbance.com_radius + height * (k1 + k2 * across);
+  effect.reach_of_loads = disturbance.com_radius + height * (k1 + k2);
+  if (disturbance.uneven > 0)
+    effect.uneven =
+        disturbance.give ? std::min(disturbance.uneven / *disturbance.give, most) : infinity;
+  effect.kept = 1 / across;
+  return effect;
+}
+
+Disturbance after_failure(Disturbance disturbance, std::size_t robots) {
+  const auto m = static_cast<double>(robots);
+  if (disturbance.give && robots > 1) *disturbance.give *= m / (m - 1);
+  return disturbance;
+}
+
 bool is_within_base(double reach, double tipping_distance, double diameter) {
   return reach <= tipping_distance + near_distance(diameter);
 }
 
 LoadChanges load_changes(const Points& robots, const Vec2& centre, double diameter, double weight,
                          const SpringLoads& springs, const Disturbance& disturbance) {
-  LoadChanges changes{disturbance.kept, false, {}, {}};
-  const bool some_idle = std::count(springs.loads.begin(), springs.loads.end(), 0.0) > 0;
-  const bool out_of_reach = disturbance.reach <= springs.same_within && !(disturbance.uneven > 0);
-  changes.others_may_carry = some_idle && !out_of_reach;
-  for (const double per_length : springs.per_length)
-    changes.by.push_back(std::min(disturbance.reach * per_length, most));
-  if (disturbance.uneven > 0) {
-    const double mean = weight / static_cast<double>(robots.size());
-    const std::vector<double> sums =
-        sums_of_projection(robots, centre, known_size(robots, centre, diameter), springs.loads);
-    for (std::size_t i = 0; i < robots.size(); ++i)
-      changes.by[i] = std::min(changes.by[i] + mean * (disturbance.uneven * sums[i]), most);
-  }
-  // If only rounding puts C outside H, the only known bound is the whole weight.
-  changes.at_worst = worst_loads(robots, centre, diameter, weight, disturbance.reach)
-                         .value_or(std::vector<double>(robots.size(), weight));
+  LoadChanges changes = greatest_changes(robots, centre, diameter, weight, springs, disturbance);
+  changes.at_least = least_loads(robots, centre, diameter, weight, changes.effect.reach)
+                         .value_or(std::vector<double>(robots.size(), 0));
+  for (double& load : changes.at_least) load *= changes.effect.kept;
   return changes;
+}
+
+std::vector<double> greatest_loads(const Points& robots, const Vec2& centre, double diameter,
+                                   double weight, const SpringLoads& springs,
+                                   const Disturbance& disturbance) {
+  LoadChanges changes = greatest_changes(robots, centre, diameter, weight, springs, disturbance);
+  if (may_let_go(springs.loads, changes)) return std::move(changes.at_worst);
+  for (std::size_t i = 0; i < robots.size(); ++i)
+    changes.by[i] = std::min(springs.loads[i] + changes.by[i], most);
+  return std::move(changes.by);
 }
 
 bool may_let_go(const std::vector<double>& loads, const LoadChanges& changes) {
@@ -80,7 +163,7 @@ bool may_let_go(const std::vector<double>& loads, const LoadChanges& changes) {
   double sum = 0;
   for (const double load : loads) sum += load;
   for (std::size_t i = 0; i < changes.by.size(); ++i)
-    if (loads[i] - changes.by[i] < -tau * sum) return true;
+    if (changes.effect.kept * loads[i] - changes.by[i] < -tau * sum) return true;
   return false;
 }
 
@@ -89,14 +172,16 @@ std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const LoadC
   std::vector<LoadRange> ranges;
   ranges.reserve(loads.size());
   for (std::size_t i = 0; i < loads.size(); ++i)
-    ranges.push_back({std::max(changes.kept * loads[i] - changes.by[i], 0.0),
-                      lets_go ? changes.at_worst[i] : std::min(loads[i] + changes.by[i], most)});
+    ranges.push_back(lets_go
+                         ? LoadRange{changes.at_least[i], changes.at_worst[i]}
+                         : LoadRange{std::max(changes.effect.kept * loads[i] - changes.by[i], 0.0),
+                                     std::min(loads[i] + changes.by[i], most)});
   return ranges;
 }
 
 std::optional<double> radius_within_capacity(const SpringLoads& springs, double tipping_distance,
                                              const std::vector<std::optional<double>>& capacities,
-                                             const LoadChanges& besides, double reach) {
+                                             const LoadChanges& besides) {
   const auto overloads = [&](std::size_t i, double load) {
     return capacities[i] && exceeds(load, *capacities[i]);
   };
@@ -105,12 +190,14 @@ std::optional<double> radius_within_capacity(const SpringLoads& springs, double 
       if (overloads(i, besides.at_worst[i])) return std::nullopt;
     return 0;
   }
-  double radius = std::max(0.0, std::min(springs.same_within, tipping_distance) - reach);
+  double radius =
+      std::max(0.0, std::min(springs.same_within, tipping_distance) - besides.effect.reach);
   for (std::size_t i = 0; i < springs.loads.size(); ++i) {
     const double more = besides.by.empty() ? 0 : besides.by[i];
-    // If heights are off, a robot goes slack sooner.
-    if (more > 0 && springs.per_length[i] > 0)
-      radius = std::min(radius, std::max(0.0, springs.loads[i] - more) / springs.per_length[i]);
+    // If heights are off, or on a slope, a robot goes slack sooner.
+    if ((more > 0 || besides.effect.kept < 1) && springs.per_length[i] > 0)
+      radius = std::min(radius, std::max(0.0, besides.effect.kept * springs.loads[i] - more) /
+                                    springs.per_length[i]);
     if (overloads(i, springs.loads[i] + more)) return std::nullopt;
     if (!capacities[i] || !(springs.per_length[i] > 0)) continue;
     const double room = std::max(0.0, *capacities[i] - springs.loads[i] - more);

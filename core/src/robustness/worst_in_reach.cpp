@@ -1,4 +1,4 @@
-// The worst loads with C anywhere within reach.
+// The worst and the least loads with C anywhere within reach.
 #include <algorithm>
 
 #include "evenlift/hull.h"
@@ -50,6 +50,46 @@ double greatest_share(const Vec2& p, const Points& hull, double reach) {
   return t;
 }
 
+// The least share t of a robot at p with C within reach of the origin, where H is the hull of the
+// others. As above, but the distance is at most the reach from some t on, and Newton's method raises
+// t until the bound is the reach.
+double least_share(const Vec2& p, const Points& hull, double reach) {
+  constexpr int most_steps = 100;
+  double t = 0;
+  for (int i = 0; i < most_steps && t < 1; ++i) {
+    Points shrunk;
+    for (const Vec2& corner : hull) shrunk.push_back(t * p + (1 - t) * corner);
+    const Vec2 nearest = nearest_to_origin(shrunk);
+    const double distance = length(nearest);
+    if (distance <= reach) break;
+    const Vec2 n = nearest / distance;
+    double least = dot(n, hull.front());
+    for (const Vec2& corner : hull) least = std::min(least, dot(n, corner));
+    const double next = least > dot(n, p) ? (least - reach) / (least - dot(n, p)) : 1;
+    if (!(next > t)) break;  // rounding ends the ascent
+    t = std::min(next, 1.0);
+  }
+  return t;
+}
+
+// Positions relative to C in multiples of `unit`, and the hull of all.
+struct AroundC {
+  double unit = 0;
+  Points robots, hull;
+};
+
+AroundC around(const Points& robots, const Vec2& centre, double unit) {
+  AroundC seen{unit, {}, convex_hull(robots, near_distance(unit))};
+  for (Vec2& corner : seen.hull) corner = (corner - centre) / unit;
+  for (const Vec2& robot : robots) seen.robots.push_back((robot - centre) / unit);
+  return seen;
+}
+
+// The tolerance may leave C a little outside H.
+double within_hull(const AroundC& seen, double reach) {
+  return std::max(reach / seen.unit, length(nearest_to_origin(seen.hull)));
+}
+
 }  // namespace
 
 std::optional<std::vector<double>> worst_loads(const Points& robots, const Vec2& centre,
@@ -57,13 +97,30 @@ std::optional<std::vector<double>> worst_loads(const Points& robots, const Vec2&
   if (!(reach > 0)) return worst_loads(robots, centre, diameter, weight);
   const std::optional<Support> support = find_support(robots, centre, diameter);
   if (!support) return std::nullopt;
-  Points hull = convex_hull(robots, near_distance(support->unit));
-  for (Vec2& corner : hull) corner = (corner - centre) / support->unit;
-  // The tolerance may leave C a little outside H.
-  const double within = std::max(reach / support->unit, length(nearest_to_origin(hull)));
+  const AroundC seen = around(robots, centre, support->unit);
+  const double within = within_hull(seen, reach);
   std::vector<double> loads;
-  for (const Vec2& robot : robots)
-    loads.push_back(weight * greatest_share((robot - centre) / support->unit, hull, within));
+  for (const Vec2& robot : seen.robots)
+    loads.push_back(weight * greatest_share(robot, seen.hull, within));
+  return loads;
+}
+
+std::optional<std::vector<double>> least_loads(const Points& robots, const Vec2& centre,
+                                               double diameter, double weight, double reach) {
+  const std::optional<Support> support = find_support(robots, centre, diameter);
+  if (!support) return std::nullopt;
+  const AroundC seen = around(robots, centre, support->unit);
+  const double within = within_hull(seen, reach);
+  std::vector<double> loads(robots.size(), 0);
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    // Without a robot that is no corner, H remains.
+    if (std::find(seen.hull.begin(), seen.hull.end(), seen.robots[i]) == seen.hull.end()) continue;
+    Points others = seen.robots;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    const double share =
+        others.empty() ? 1 : least_share(seen.robots[i], convex_hull(others, tau), within);
+    loads[i] = weight * share;
+  }
   return loads;
 }
 

@@ -146,14 +146,17 @@ class _Loads(TypedDict):
 
 
 class Loads(_Loads, total=False):
-    """These members exist only with a C uncertainty, a slope, an acceleration or uneven ground."""
+    """These members exist only with a C uncertainty, a slope, uneven ground, or an acceleration and a height of C. If a robot may go
+    slack, all ranges extend from the least to the greatest load that statics allows."""
 
     ranges: list[list[float]]
     may_let_go: bool
 
 
 class Tilt(TypedDict):
-    """When the object tips in the worst direction. `slope` is a ratio, and `acceleration` is in g."""
+    """When the object tips in the worst direction. `slope` is a ratio and `acceleration` in g, each alone and on even ground.
+    `acceleration_left` is the acceleration at which it tips on the given slope, None without a slope; `slope_left` is the slope at which
+    it tips with the given acceleration, None without an acceleration."""
 
     height: float
     reach: float
@@ -161,6 +164,8 @@ class Tilt(TypedDict):
     slope: float
     degrees: float
     acceleration: float
+    acceleration_left: Optional[float]
+    slope_left: Optional[float]
 
 
 class ExtraLoad(TypedDict):
@@ -186,7 +191,8 @@ class Closure(TypedDict):
 
 
 class Verdict(TypedDict):
-    """The reasons are sentences, the most serious first; a good result has none."""
+    """`kind` is "bad" without robots, if the object falls or tips under the given conditions, or if a robot is or can be overloaded. The
+    reasons are sentences, the most serious first; a good result has none."""
 
     kind: Literal["good", "warning", "bad"]
     reasons: list[str]
@@ -239,7 +245,8 @@ class _Failure(TypedDict):
 
 class Failure(_Failure, total=False):
     """The lift after `robot`, counted from 0, fails. All members after `clear` are None if the others do not carry the object;
-    `over_capacity` exists only with a capacity, and the last two only if the loads have ranges."""
+    `over_capacity` exists only with a capacity, and the last two only if the loads have ranges. Where `stays` is False, the object tips
+    under the given conditions, and `over_capacity` and `greatest_end` are None."""
 
     over_capacity: Optional[bool]
     greatest_end: Optional[float]
@@ -247,7 +254,8 @@ class Failure(_Failure, total=False):
 
 
 class FailurePlan(TypedDict):
-    """The number of robots needed so that any one of them may fail."""
+    """The number of robots needed so that any one of them may fail: then C is at least `clear` inside, and the object stays upright and
+    each robot within the capacity under the given conditions. `robots_tried` is 0 if no number was tried."""
 
     robots_needed: Optional[int]
     greatest_load: Optional[float]
@@ -255,7 +263,8 @@ class FailurePlan(TypedDict):
 
 
 class Capacity(TypedDict):
-    """`limit` is None if only single supports have a capacity."""
+    """`limit` is None if only single supports have a capacity. `overloaded` includes robots that can carry more than their capacity on
+    slopes, when braked or on uneven ground."""
 
     limit: Optional[float]
     overloaded: list[int]

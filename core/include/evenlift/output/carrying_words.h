@@ -11,8 +11,8 @@
 
 namespace evenlift {
 
-// Return a slope as "8 %" and an angle as "4.6°". O(1).
-std::string slope_in_words(double ratio);
+// Return a slope as "8 %", and an angle at which something tips, rounded down, as "4.6°". O(1).
+std::string slope_in_words(double ratio, Toward toward = Toward::nearest);
 std::string degrees_in_words(double degrees);
 
 // Returns the disturbance (uncertainty.h) as an addition to a sentence: "with a C uncertainty of 3
@@ -24,22 +24,28 @@ std::string disturbance_in_words(const Shown& shown);
 // heights are off by up to 2 mm". O(1).
 std::string disturbance_as_clause(const Shown& shown);
 
-// Names the conditions that change nothing because another number is missing: "The acceleration
+// Returns the disturbance as the end of "it tips …": "with C off by up to 3 cm, on a slope of 8 %,
+// braked at 0.1 g". O(1).
+std::string conditions_in_words(const Shown& shown);
+
+// Says which conditions count only in part because another number is missing: "The acceleration
 // changes nothing without the height of the centre of mass." The text is empty if all given
-// conditions have an effect. O(1).
-std::string without_effect_in_words(const Shown& shown);
+// conditions count fully. O(m log m).
+std::string given_in_part_in_words(const ShownPlacement& of);
 
 // Says that the object can tip under the given conditions: "It can tip: the centre of mass may be
 // off by 200 mm, and 177 mm in one direction is enough.", or "On a slope of 8 % it tips." The text
-// is empty if the object cannot tip under them. O(1).
+// is empty if the object cannot tip under them. O(m log m).
 std::string tipping_in_words(const Robustness& robustness, const ShownPlacement& of);
 
-// Says when the object tips: "In the worst direction it tips at a slope of 14° (25 %) or when it
-// is braked at 0.25 g." The text is empty if the height of C is 0. O(1).
+// Says when the object tips: "In the worst direction it tips at a slope of 14° (25 %) or, on level
+// ground, when it is braked at 0.25 g." If it stays under a given slope or acceleration, the text
+// adds what is left: "On the slope of 8 % it tips when it is braked at 0.19 g." The text is empty if
+// the height of C is 0. O(m log m).
 std::string tilt_in_words(const Robustness& robustness, const ShownPlacement& of);
 
 // Says where a further load may stand: "Another 80 kg may stand on 62 % of the object without
-// lifting a robot off or overloading one, if all robots are equally stiff. Up to 33.3 kg may stand
+// lifting a robot off or overloading one, if all robots are equally stiff and level and the object does not bend. Up to 33.3 kg may stand
 // anywhere on it." A robot that is lifted off goes slack: it carries nothing. O(1).
 std::string extra_in_words(const ExtraLoad& extra, const ShownPlacement& of);
 

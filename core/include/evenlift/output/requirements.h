@@ -22,12 +22,15 @@ namespace evenlift {
 //   coverage           the coverage, from 0 to 1
 //   max, min           the greatest and the least planned load
 //   spread             max - min, with C at its assumed place
-//   max_after_failure  the greatest load by springs after any one failure, under the disturbance
+//   max_after_failure  the greatest load by springs after any one failure, under the disturbance;
+//                      none if the object then falls or tips
 //   margin             the margin of form closure
 //   tipping_distance   the distance by which C may be off before the object tips
 //   tip                the slope, in degrees, at which the object tips in the worst direction
 //                      (tilt.h)
 //   robots             the number of robots
+//   worst              the greatest load of a robot that statics allows, under the disturbance
+//                      (worst_loads() of placed_robots.h)
 //
 // The first four are true or false. `capacity`, `max` and `min` refer to the planned loads or,
 // under a disturbance, to the ends of their ranges (loads_when_disturbed()). If the object falls,

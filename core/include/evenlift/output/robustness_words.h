@@ -18,9 +18,9 @@ std::string model_in_words(LoadModel model, const ModelLoads& loads, const Units
 
 // Says how the loads of equally stiff robots change within the disturbance of `loads`, which must
 // be that of `shown`: "If C is off by up to 3 cm and the ground slopes by up to 8 %, …". If a
-// robot may go slack, the text says this too. But if only C is uncertain, and the C uncertainty
-// reaches the tipping distance, the text gives that distance instead. Without a disturbance the
-// text is empty. O(m).
+// robot may go slack, the text gives the greatest load instead. If only C is uncertain, and the C
+// uncertainty reaches the tipping distance, it gives that distance. Without a disturbance, or if
+// the object tips under other conditions, the text is empty. O(m).
 std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robustness,
                                  const Shown& shown);
 
@@ -28,20 +28,21 @@ std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robu
 // other given conditions. Some robot must have a capacity. The cost is that of model_loads().
 std::string uncertainty_for_capacity_in_words(const ModelLoads& loads, const ShownPlacement& of);
 
-// Names the robots without which the object falls, the greatest load if another robot fails, and
-// the failures after which the object can tip or a robot is overloaded. `overloads` comes from
-// overloads_after() (capacity.h). `limit` is the capacity in words: "20 kg" or "its capacity".
+// Names the robots without which the object falls, or tips under the given conditions, the greatest
+// load if another robot fails, and the failures after which the object can tip or a robot is
+// overloaded. `overloads` comes from overloads_after() (capacity.h). `limit` is the capacity in
+// words: "20 kg" or "its capacity". `conditions` are those of conditions_in_words().
 std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& failures,
                               const Units& units = {}, const std::vector<bool>& overloads = {},
-                              const std::string& limit = {});
+                              const std::string& limit = {}, const std::string& conditions = {});
 
 // Describes one failure: "Robot 3 fails: the other five carry the object, at most 21.3 kg each."
 // The loads are by springs; if one exceeds the capacity, the text also gives the capacity. `robot`
-// counts from 0.
+// counts from 0. `conditions` are those of conditions_in_words().
 std::string failure_in_words(std::size_t robot, std::size_t robots,
                              const std::optional<RestOfRobots>& rest,
                              const std::optional<double>& capacity = std::nullopt,
-                             const Units& units = {});
+                             const Units& units = {}, const std::string& conditions = {});
 
 // Returns the text that follows failure_in_words(): coverage and form closure, or the reason why
 // the others cannot carry the object. `failing` comes from with_failure().

@@ -12,8 +12,9 @@ namespace evenlift {
 
 enum class VerdictKind : std::uint8_t {
   good,     // there is no reason against the placement
-  warning,  // there is a reason against it, but the object does not fall
-  bad       // there are no robots, or the object falls
+  warning,  // there is a reason against it, but nothing below
+  bad       // there are no robots, the object falls, it tips under the given conditions, or a robot
+            // is overloaded
 };
 std::string_view name(VerdictKind kind);
 
@@ -34,9 +35,8 @@ std::vector<std::string> misfits_in_words(const ShownPlacement& of);
 // model_loads().
 Judgement judge(const ShownPlacement& of);
 
-// Judges a placement whose robustness is known. The capacities are compared with `loads`, the loads
-// by the model that is shown (loads_by()). O(m log n + m^2).
-Judgement judge(const ShownPlacement& of, const Robustness& robustness,
-                const std::vector<LoadRange>& loads);
+// Judges a placement whose loads by the model that is shown are known (loads_by()): the capacities
+// are compared with them. O(m log n + m^2).
+Judgement judge(const ShownPlacement& of, LoadModel model, const std::vector<LoadRange>& loads);
 
 }  // namespace evenlift

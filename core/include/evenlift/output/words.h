@@ -7,6 +7,7 @@
 // sign is "−"; zero never has one. A no-break space (U+00A0) separates a number from its unit.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,13 @@ std::string fixed(double value, int decimals);
 // Writes a number with the fewest digits that read back to the same number: "100", "0.8".
 std::string plain(double value);
 
+// Limits are rounded so that they stay true: a distance that is allowed down, a greatest load up.
+// What only rounding (tau of the value) puts beyond a decimal counts as the decimal.
+enum class Toward : std::uint8_t { nearest, down, up };
+
 // Writes a number with `digits` significant digits and no trailing zeros: "0.00167", "1.67e−21".
-std::string significant(double value, int digits);
+// Only numbers of 0 or more can be rounded down or up.
+std::string significant(double value, int digits, Toward toward = Toward::nearest);
 
 // Returns the number of decimals, 0 to 9, with which `largest` shows three significant digits, or
 // as close to three as possible. Use this number also for smaller values of the same kind.
@@ -35,7 +41,7 @@ int decimals_for(double largest);
 // Writes a number with decimals_for(largest) decimals. The numbers in a column align if `largest`
 // is the largest of them. If `largest` is below 1e-6, or 1e12 or more, the number has three
 // significant digits instead of a long row of digits.
-std::string amount(double value, double largest);
+std::string amount(double value, double largest, Toward toward = Toward::nearest);
 
 // Writes a range, as "15.2–18.1", or one number if both ends look the same after rounding.
 std::string amounts(double low, double high, double largest);
@@ -45,7 +51,15 @@ std::string load_in_words(double value, double largest, const Units& units);
 
 std::string load_in_words(double low, double high, double largest, const Units& units);
 
-// Write a robot's range of loads as above: amounts() without a unit, load_in_words() with one. The
+// Write a limit with its unit and three significant digits: a load, or a length.
+std::string load_in_words(double value, const Units& units, Toward toward);
+std::string length_in_words(double length, const Units& units, Toward toward);
+
+// Write the range in which a load lies, rounded outwards.
+std::string amounts(const LoadRange& load, double largest);
+std::string load_in_words(const LoadRange& load, double largest, const Units& units);
+
+// Write a robot's load or range by a model: amounts() without a unit, load_in_words() with one. The
 // models `best` and `worst` give only an upper bound, which is written as "≤ 18.1".
 std::string amounts(LoadModel model, const LoadRange& load, double largest);
 std::string load_in_words(LoadModel model, const LoadRange& load, double largest,
@@ -98,8 +112,9 @@ int coordinate_decimals(const Points& vertices);  // O(n)
 // robots the text is "6 robots carry equal loads of 16.7 kg (100 kg in all)." With cargo the text
 // ends in "(120 kg with its cargo of 24 kg)." Without robots the text is like "No team can be
 // placed." If `shown` is a model other than the plan, the text begins with "As planned" or, for
-// given supports, with "If equally stiff". If there is a disturbance, `ranges` may be the ranges of
-// the planned loads (loads_by()). Then the text is "6 robots carry 14.9–18.4 kg each, with a C
+// given supports, with "If equally stiff". If the object tips under the given conditions, the text is
+// "On level ground and with C as given, 6 robots carry …". If there is another disturbance, `ranges`
+// may be the ranges of the planned loads (loads_by()). Then the text is "6 robots carry 14.9–18.4 kg each, with a C
 // uncertainty of 3 cm, on slopes up to 8 % (100 kg in all)." For given supports the text calls the
 // robots equally stiff, unless equilibrium alone determines the loads. If the object falls, the
 // text is "It falls: the centre of mass is 12 mm outside the lifting base, beyond robots 2 and 3."
@@ -142,7 +157,19 @@ inline constexpr double good_coverage = 0.5;
 // comes before the coverage if only the hold is a problem.
 std::string detail_in_words(const ShownPlacement& of);
 
-// Returns loads_in_words() followed by detail_in_words().
+// Returns what is worst: that the object tips under the given conditions (tipping_in_words()), or
+// which robots are overloaded. `loads` are those of the model `shown` (loads_by()). The text is
+// empty if neither is so, or if the object falls, which loads_in_words() says. O(m log m).
+std::string worst_news_in_words(const ShownPlacement& of, LoadModel shown,
+                                const std::vector<LoadRange>& loads);
+
+// Says how much given supports can come to carry if the floor is not even: "If one of them stands a
+// little high, robots 1 and 3 can come to carry 60.0 kg." With capacities, it also names those that
+// can be overloaded then. The text is empty if statics alone determines the loads, or if `loads`,
+// the shown ranges, allow for it already. O(m log m).
+std::string if_uneven_in_words(const ShownPlacement& of, const std::vector<LoadRange>& loads);
+
+// Returns worst_news_in_words(), loads_in_words(), if_uneven_in_words() and detail_in_words().
 std::string verdict(const ShownPlacement& of, LoadModel shown = LoadModel::plan,
                     const std::vector<LoadRange>& ranges = {});
 
@@ -172,6 +199,11 @@ std::string capacity_in_words(const ShownPlacement& of, const CapacityPlan* plan
                               const std::vector<std::size_t>& overloaded, LoadModel model,
                               const std::optional<std::size_t>& failed = std::nullopt,
                               const FailurePlan* if_one_fails = nullptr);
+
+// Says only how many robots are needed, without naming those that are overloaded.
+std::string needs_in_words(const ShownPlacement& of, const CapacityPlan* plan, LoadModel model,
+                           const std::optional<std::size_t>& failed = std::nullopt,
+                           const FailurePlan* if_one_fails = nullptr);
 
 // A label, a value and a sentence that explains them. facts_in_words() returns the facts about
 // candidates, coverage, loads and form closure.

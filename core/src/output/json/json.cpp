@@ -222,7 +222,7 @@ std::optional<CapacityInJson> capacity_in_json(const ShownPlacement& of) {
   if (!has_capacities(of)) return std::nullopt;
   CapacityInJson capacity{{}, FailurePlan{}};
   if (const auto& limit = of.shown.capacity)
-    capacity = {plan_capacity(of.placement, *limit), plan_for_failures(of.placement, *limit)};
+    capacity = {plan_capacity(of.placement, *limit), plan_for_failures(of, *limit)};
   return capacity;
 }
 

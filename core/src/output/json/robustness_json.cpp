@@ -26,9 +26,10 @@ std::string failure(std::size_t robot, const std::optional<RestOfRobots>& rest,
                                  {"springs_max", if_carried(number(known.greatest_by_springs))},
                                  {"best_max", if_carried(number(known.least_greatest))},
                                  {"springs", if_carried(numbers(known.springs))}};
-  if (overloads) members.push_back({"over_capacity", if_carried(boolean(*overloads))});
+  if (overloads)
+    members.push_back({"over_capacity", known.stays ? if_carried(boolean(*overloads)) : "null"});
   if (with_disturbance) {
-    members.push_back({"greatest_end", if_carried(number(known.greatest_end))});
+    members.push_back({"greatest_end", number_or_null(known.greatest_end)});
     members.push_back({"stays", if_carried(boolean(known.stays))});
   }
   return object(members);
@@ -71,7 +72,9 @@ std::string tilt(const std::optional<Tilt>& tilt, int depth) {
                       {"stays", boolean(tilt->stays)},
                       {"slope", number(tilt->slope)},
                       {"degrees", number(tilt->degrees)},
-                      {"acceleration", number(tilt->acceleration)}},
+                      {"acceleration", number(tilt->acceleration)},
+                      {"acceleration_left", number_or_null(tilt->acceleration_left)},
+                      {"slope_left", number_or_null(tilt->slope_left)}},
                      depth);
 }
 

@@ -45,7 +45,7 @@ std::string load_text(const Stand& stand, double largest, const Units& units) {
   std::vector<std::string> texts;
   LoadRange sum;
   for (const LoadRange& load : stand.loads) {
-    texts.push_back(amounts(load.least, load.greatest, largest));
+    texts.push_back(amounts(load, largest));
     sum.least += load.least;
     sum.greatest += load.greatest;
   }
@@ -54,7 +54,7 @@ std::string load_text(const Stand& stand, double largest, const Units& units) {
   if (std::all_of(texts.begin(), texts.end(), [&](const std::string& t) { return t == first; }))
     return std::to_string(texts.size()) + " × " + with_weight_unit(first, units);
   if (texts.size() == 2) return first + " + " + with_weight_unit(texts.back(), units);
-  return "Σ " + with_weight_unit(amounts(sum.least, sum.greatest, largest), units);
+  return "Σ " + load_in_words(sum, largest, units);
 }
 
 }  // namespace evenlift::svg

@@ -63,10 +63,17 @@ Known greatest_after_failure(const ShownPlacement& of) {
   if (!of.placement.loads) return std::nullopt;
   double greatest = 0;
   for (const auto& rest : single_failures(of.placement, disturbance_of(of.shown))) {
-    if (!rest) return std::nullopt;
-    greatest = std::max(greatest, rest->greatest_end);
+    if (!rest || !rest->greatest_end) return std::nullopt;
+    greatest = std::max(greatest, *rest->greatest_end);
   }
   return greatest;
+}
+
+// That statics allows; nothing if the object falls or tips.
+Known worst_load(const ShownPlacement& of) {
+  const auto loads = tips_when_disturbed(of) ? std::nullopt : worst_loads(of);
+  return loads && !loads->empty() ? Known(*std::max_element(loads->begin(), loads->end()))
+                                  : std::nullopt;
 }
 
 // In degrees, in the worst direction; nothing if the height of C is 0.
@@ -106,6 +113,7 @@ const Row rows[] = {
     {"tip", "The slope at which it tips", false, Unit::degrees, tipping_angle},
     {"robots", "The number of robots", false, Unit::none,
      [](const ShownPlacement& of) -> Known { return static_cast<double>(count_robots(of.placement.teams)); }},
+    {"worst", "The greatest load that statics allows", false, Unit::weight, worst_load},
 };
 // clang-format on
 

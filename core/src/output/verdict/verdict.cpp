@@ -57,12 +57,11 @@ std::vector<std::string> misfits_in_words(const ShownPlacement& of) {
 }
 
 Judgement judge(const ShownPlacement& of) {
-  if (of.placement.teams.empty()) return judge(of, {}, {});
-  return judge(of, robustness(of.placement), loads_when_disturbed(of));
+  if (of.placement.teams.empty()) return judge(of, LoadModel::plan, {});
+  return judge(of, LoadModel::plan, loads_when_disturbed(of));
 }
 
-Judgement judge(const ShownPlacement& of, const Robustness& robustness,
-                const std::vector<LoadRange>& loads) {
+Judgement judge(const ShownPlacement& of, LoadModel model, const std::vector<LoadRange>& loads) {
   const Placement& placement = of.placement;
   Judgement judgement;
   std::vector<std::string>& reasons = judgement.reasons;
@@ -76,17 +75,14 @@ Judgement judge(const ShownPlacement& of, const Robustness& robustness,
   }
   const bool stands = placement.loads.has_value();
   if (!stands) add(loads_in_words(of));
-  std::vector<double> greatest;
-  for (const LoadRange& range : loads) greatest.push_back(range.greatest);
-  const std::vector<std::size_t> overloaded = overloaded_robots(of, greatest);
-  if (stands && !overloaded.empty())
-    add(capacity_in_words(of, nullptr, overloaded, LoadModel::plan));
-  if (stands) add(tipping_in_words(robustness, of));
+  if (stands) add(worst_news_in_words(of, model, loads));
+  const bool is_bad = !reasons.empty();
   for (std::string& misfit : misfits_in_words(of)) add(std::move(misfit));
   add(shortage_in_words(placement));
-  if (placement.coverage < good_coverage) add(coverage_in_words(placement));
+  if (placement.coverage < good_coverage && !tips_when_disturbed(of))
+    add(coverage_in_words(placement));
   if (!is_held(placement)) add(closure_in_words(of));
-  judgement.kind = !stands           ? VerdictKind::bad
+  judgement.kind = is_bad            ? VerdictKind::bad
                    : reasons.empty() ? VerdictKind::good
                                      : VerdictKind::warning;
   return judgement;

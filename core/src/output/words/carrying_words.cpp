@@ -11,55 +11,41 @@
 namespace evenlift {
 namespace {
 
-std::string acceleration_in_words(double acceleration) {
-  return significant(acceleration, 3) + "\u00A0g";
+std::string acceleration_in_words(double acceleration, Toward toward = Toward::nearest) {
+  return significant(acceleration, 3, toward) + "\u00A0g";
 }
 
 std::string given_length(double length, const Units& units) {
   return with_length_unit(plain(length), units);
 }
 
-// "With C off by up to 20 mm, on a slope of 8 % and braked at 0.3 g, it tips." A slope or an
-// acceleration must be given.
-std::string tips_under_these(const Shown& shown) {
-  constexpr const char* sentences[2][3] = {
-      {"On a slope of {slope} it tips.", "On level ground, braked at {acceleration}, it tips.",
-       "On a slope of {slope} and braked at {acceleration}, it tips."},
-      {"With C off by up to {radius}, on a slope of {slope} it tips.",
-       "With C off by up to {radius}, on level ground, braked at {acceleration}, it tips.",
-       "With C off by up to {radius}, on a slope of {slope} and braked at {acceleration}, it tips."}};
-  const Carrying& carrying = shown.carrying;
-  std::vector<std::string> values;
-  if (shown.com_radius > 0) values.push_back(given_length(shown.com_radius, shown.units));
-  if (carrying.slope > 0) values.push_back(slope_in_words(carrying.slope));
-  if (carrying.acceleration > 0) values.push_back(acceleration_in_words(carrying.acceleration));
-  const std::size_t when = !(carrying.slope > 0) ? 1 : carrying.acceleration > 0 ? 2 : 0;
-  return say_written(sentences[shown.com_radius > 0 ? 1 : 0][when], values.data(), values.size());
-}
-
+// A condition in three forms: "on slopes up to 8 %", "the ground slopes by up to 8 %" and "on a slope
+// of 8 %".
 struct Circumstance {
-  std::string as_addition, as_clause;
+  std::string as_addition, as_clause, as_place;
 };
 
-// Only those that change loads.
+// Only those that change loads or tip the object.
 std::vector<Circumstance> conditions_of(const Shown& shown) {
   const Carrying& carrying = shown.carrying;
   std::vector<Circumstance> conditions;
-  const auto add = [&](const char* addition, const char* clause, const std::string& size) {
-    conditions.push_back({say(addition, {size}), say(clause, {size})});
+  const auto add = [&](const char* addition, const char* clause, const char* place,
+                       const std::string& size) {
+    conditions.push_back({say(addition, {size}), say(clause, {size}), say(place, {size})});
   };
   if (shown.com_radius > 0)
     add("with a C uncertainty of {amount}", "C is off by up to {amount}",
-        given_length(shown.com_radius, shown.units));
+        "with C off by up to {amount}", given_length(shown.com_radius, shown.units));
   if (carrying.slope > 0)
-    add("on slopes up to {amount}", "the ground slopes by up to {amount}",
+    add("on slopes up to {amount}", "the ground slopes by up to {amount}", "on a slope of {amount}",
         slope_in_words(carrying.slope));
   if (carrying.acceleration > 0 && carrying.com_height > 0)
     add("braked at up to {amount}", "the object is braked at up to {amount}",
+        carrying.slope > 0 ? "braked at {amount}" : "braked at {amount} on level ground",
         acceleration_in_words(carrying.acceleration));
-  if (carrying.uneven > 0 && carrying.give)
+  if (carrying.uneven > 0)
     add("with heights off by up to {amount}", "heights are off by up to {amount}",
-        given_length(carrying.uneven, shown.units));
+        "with heights off by up to {amount}", given_length(carrying.uneven, shown.units));
   return conditions;
 }
 
@@ -74,9 +60,11 @@ bool is_within(const Points& region, const Vec2& at, double diameter) {
 
 }  // namespace
 
-std::string slope_in_words(double ratio) { return significant(100 * ratio, 3) + "\u00A0%"; }
+std::string slope_in_words(double ratio, Toward toward) {
+  return significant(100 * ratio, 3, toward) + "\u00A0%";
+}
 
-std::string degrees_in_words(double degrees) { return significant(degrees, 3) + "°"; }
+std::string degrees_in_words(double degrees) { return significant(degrees, 3, Toward::down) + "°"; }
 
 std::string disturbance_in_words(const Shown& shown) {
   std::string text;
@@ -97,64 +85,91 @@ std::string disturbance_as_clause(const Shown& shown) {
   return text;
 }
 
-std::string without_effect_in_words(const Shown& shown) {
-  const Carrying& carrying = shown.carrying;
+std::string conditions_in_words(const Shown& shown) {
   std::string text;
+  for (const Circumstance& condition : conditions_of(shown))
+    text += (text.empty() ? "" : ", ") + condition.as_place;
+  return text;
+}
+
+std::string given_in_part_in_words(const ShownPlacement& of) {
+  const Carrying& carrying = of.shown.carrying;
+  std::string text;
+  const auto add = [&](const std::string& sentence) {
+    text += (text.empty() ? "" : " ") + sentence;
+  };
+  if (carrying.slope > 0 && !(carrying.com_height > 0))
+    add(
+        say("Without the height of the centre of mass, a slope counts only because less of the "
+            "weight acts across it: whether the object tips on it is not known."));
   if (carrying.acceleration > 0 && !(carrying.com_height > 0))
-    text = say("The acceleration changes nothing without the height of the centre of mass.");
-  if (carrying.uneven > 0 && !carrying.give)
-    text += (text.empty() ? "" : " ") +
-            say("Uneven heights change nothing unless it is known how far robots give way.");
+    add(say("The acceleration changes nothing without the height of the centre of mass."));
+  if (carrying.uneven > 0 && !carrying.give && !loads_are_determined(of.placement)) {
+    const auto worst = worst_loads(of);
+    if (worst && !worst->empty() && !tips_when_disturbed(of))
+      add(say("Without the give of the robots, the loads can reach those at worst, up to {load}.",
+              {load_in_words(*std::max_element(worst->begin(), worst->end()), of.shown.units,
+                             Toward::up)}));
+  }
   return text;
 }
 
 std::string tipping_in_words(const Robustness& robustness, const ShownPlacement& of) {
   const Shown& shown = of.shown;
-  const double reach = disturbance_of(shown).reach, distance = robustness.tipping_distance;
-  if (reach > shown.com_radius)
-    return is_within_base(reach, distance, of.placement.polygon().diameter())
-               ? std::string()
-               : tips_under_these(shown);
+  const double reach = effect_on(of).reach, distance = robustness.tipping_distance;
+  if (reach > shown.com_radius) {
+    if (is_within_base(reach, distance, of.placement.polygon().diameter())) return {};
+    const std::string conditions = conditions_in_words(shown);
+    return with_capital(
+        say(conditions_of(shown).size() == 1 ? "{conditions} it tips." : "{conditions}, it tips.",
+            {conditions}));
+  }
   if (!(reach > 0) || reach < distance) return {};
   return say(
       "It can tip: the centre of mass may be off by {reach}, and {distance} in one direction is "
       "enough.",
-      {given_length(reach, shown.units),
-       with_length_unit(amount(distance, distance), shown.units)});
+      {given_length(reach, shown.units), length_in_words(distance, shown.units, Toward::up)});
 }
 
 std::string tilt_in_words(const Robustness& robustness, const ShownPlacement& of) {
-  const auto tilt =
-      tilt_of(of.shown, robustness.tipping_distance, of.placement.polygon().diameter());
+  const auto tilt = tilt_of(disturbance_of(of.shown), effect_on(of), robustness.tipping_distance,
+                            of.placement.polygon().diameter());
   if (!tilt) return {};
   if (!(tilt->slope > 0)) return say("On any slope, and whenever it is braked, it can tip.");
-  const std::string degrees = degrees_in_words(tilt->degrees), slope = slope_in_words(tilt->slope),
-                    acceleration = acceleration_in_words(tilt->acceleration);
-  if (of.shown.com_radius > 0)
-    return say(
-        "In the worst direction it tips at a slope of {degrees} ({slope}) or when it is braked at "
-        "{acceleration}, with C off by up to {radius}.",
-        {degrees, slope, acceleration, given_length(of.shown.com_radius, of.shown.units)});
-  return say(
-      "In the worst direction it tips at a slope of {degrees} ({slope}) or when it is braked at "
-      "{acceleration}.",
-      {degrees, slope, acceleration});
+  const std::string degrees = degrees_in_words(tilt->degrees),
+                    slope = slope_in_words(tilt->slope, Toward::down),
+                    acceleration = acceleration_in_words(tilt->acceleration, Toward::down);
+  std::string text =
+      of.shown.com_radius > 0
+          ? say("In the worst direction it tips at a slope of {degrees} ({slope}) or, on level "
+                "ground, when it is braked at {acceleration}, with C off by up to {radius}.",
+                {degrees, slope, acceleration, given_length(of.shown.com_radius, of.shown.units)})
+          : say("In the worst direction it tips at a slope of {degrees} ({slope}) or, on level "
+                "ground, when it is braked at {acceleration}.",
+                {degrees, slope, acceleration});
+  if (tilt->stays && tilt->acceleration_left)
+    text += " " + say("On the slope of {slope} it tips when it is braked at {acceleration}.",
+                      {slope_in_words(of.shown.carrying.slope),
+                       acceleration_in_words(*tilt->acceleration_left, Toward::down)});
+  if (tilt->stays && tilt->slope_left)
+    text += " " + say("Braked at {acceleration}, it tips at a slope of {slope}.",
+                      {acceleration_in_words(of.shown.carrying.acceleration),
+                       slope_in_words(*tilt->slope_left, Toward::down)});
+  return text;
 }
 
 std::string extra_in_words(const ExtraLoad& extra, const ShownPlacement& of) {
   constexpr const char* sentences[3][2] = {
-      {"Another {weight} may stand anywhere on the object without lifting a robot off, if all robots "
-       "are equally stiff.",
+      {"Another {weight} may stand anywhere on the object without lifting a robot off, if all robots are equally stiff and level and the object does not bend.",
        "Another {weight} may stand anywhere on the object without lifting a robot off or overloading "
-       "one, if all robots are equally stiff."},
-      {"Another {weight} may stand nowhere on the object without lifting a robot off, if all robots "
-       "are equally stiff.",
+       "one, if all robots are equally stiff and level and the object does not bend."},
+      {"Another {weight} may stand nowhere on the object without lifting a robot off, if all robots are equally stiff and level and the object does not bend.",
        "Another {weight} may stand nowhere on the object without lifting a robot off or overloading "
-       "one, if all robots are equally stiff."},
+       "one, if all robots are equally stiff and level and the object does not bend."},
       {"Another {weight} may stand on {share} of the object without lifting a robot off, if all "
-       "robots are equally stiff.",
+       "robots are equally stiff and level and the object does not bend.",
        "Another {weight} may stand on {share} of the object without lifting a robot off or "
-       "overloading one, if all robots are equally stiff."}};
+       "overloading one, if all robots are equally stiff and level and the object does not bend."}};
   const Units& units = of.shown.units;
   const std::size_t where = extra.share >= 1 - tau ? 0 : extra.share <= tau ? 1 : 2;
   const std::string values[] = {given_weight(extra.weight, units), percentage(extra.share)};
@@ -162,7 +177,7 @@ std::string extra_in_words(const ExtraLoad& extra, const ShownPlacement& of) {
       say_written(sentences[where][has_capacities(of) ? 1 : 0], values, where == 2 ? 2 : 1);
   if (where != 0 && extra.anywhere && *extra.anywhere > 0)
     text += " " + say("Up to {load} may stand anywhere on it.",
-                      {load_in_words(*extra.anywhere, *extra.anywhere, units)});
+                      {load_in_words(*extra.anywhere, units, Toward::down)});
   return text;
 }
 
@@ -200,7 +215,7 @@ std::string tilt_towards_in_words(const Vec2& at, const ShownPlacement& of) {
   const double slope =
       tipping_slope(placement.lifting_base, placement.centre_of_mass, towards, of.shown);
   return say("Downhill this way it tips at {degrees} ({slope})",
-             {degrees_in_words(slope_degrees(slope)), slope_in_words(slope)});
+             {degrees_in_words(slope_degrees(slope)), slope_in_words(slope, Toward::down)});
 }
 
 }  // namespace evenlift

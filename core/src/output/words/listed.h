@@ -1,4 +1,4 @@
-// Lists of numbers in sentences.
+// Parts of sentences: lists of numbers, and a capital letter at the beginning.
 #pragma once
 
 #include <cstddef>
@@ -30,6 +30,12 @@ std::string numbers_from_1(const std::vector<Number>& numbers) {
   std::vector<std::size_t> shown;
   for (const Number number : numbers) shown.push_back(number + std::size_t{1});
   return listed(shown);
+}
+
+inline std::string with_capital(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+    text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
 }
 
 }  // namespace evenlift

@@ -21,17 +21,26 @@ std::string with_minus_sign(std::string text) {
 }
 
 // In units of 10^-decimals.
-std::string whole_units(const Decimal& decimal, int decimals) {
+std::string whole_units(const Decimal& decimal, int decimals, Toward toward = Toward::nearest) {
   const int zeros = decimal.exponent + decimals;
   if (zeros >= 0)
     return decimal.digits == 0
                ? "0"
                : std::to_string(decimal.digits) + std::string(static_cast<std::size_t>(zeros), '0');
-  if (zeros < -18) return "0";
+  if (zeros < -18) return toward == Toward::up && decimal.digits > 0 ? "1" : "0";
   std::uint64_t unit = 1;
   for (int i = 0; i < -zeros; ++i) unit *= 10;
   const std::uint64_t rest = decimal.digits % unit;
-  return std::to_string(decimal.digits / unit + (rest >= unit - rest ? 1 : 0));
+  const bool more =
+      toward == Toward::nearest ? rest >= unit - rest : toward == Toward::up && rest > 0;
+  return std::to_string(decimal.digits / unit + (more ? 1 : 0));
+}
+
+// A value that only rounding puts beyond a decimal counts as the decimal.
+double within_tolerance(double value, Toward toward) {
+  return toward == Toward::down ? value * (1 + tau)
+         : toward == Toward::up ? value * (1 - tau)
+                                : value;
 }
 
 std::string with_point(std::string units, int decimals) {
@@ -67,11 +76,11 @@ std::string plain(double value) {
   return value == 0 ? "0" : with_minus_sign(shortest(value));  // -0 is "0"
 }
 
-std::string significant(double value, int digits) {
-  const Decimal decimal = shortest_decimal(value);
+std::string significant(double value, int digits, Toward toward) {
+  const Decimal decimal = shortest_decimal(within_tolerance(value, toward));
   if (decimal.digits == 0) return "0";
   const int decimals = digits - magnitude(decimal);
-  const std::string units = whole_units(decimal, decimals);
+  const std::string units = whole_units(decimal, decimals, toward);
   const std::string sign = decimal.negative ? "-" : "";
   return plain(*read_number(sign + units + "e" + std::to_string(-decimals)));
 }
@@ -86,16 +95,27 @@ int decimals_for(double largest) {
   return std::clamp(decimals, 0, most_decimals);
 }
 
-std::string amount(double value, double largest) {
+std::string amount(double value, double largest, Toward toward) {
   constexpr double least_fixed = 1e-6;  // below, fixed() would show fewer than three digits
   constexpr double most_fixed = 1e12;   // from here on, too many to read
   const double size = std::fabs(largest);
-  if (size < least_fixed || size >= most_fixed) return significant(value, 3);
-  return fixed(value, decimals_for(largest));
+  if (size < least_fixed || size >= most_fixed) return significant(value, 3, toward);
+  if (toward == Toward::nearest) return fixed(value, decimals_for(largest));
+  const int decimals = decimals_for(largest);
+  return with_point(
+      whole_units(shortest_decimal(within_tolerance(value, toward)), decimals, toward), decimals);
 }
 
 std::string load_in_words(double value, double largest, const Units& units) {
   return with_weight_unit(amount(value, largest), units);
+}
+
+std::string load_in_words(double value, const Units& units, Toward toward) {
+  return with_weight_unit(amount(value, value, toward), units);
+}
+
+std::string length_in_words(double length, const Units& units, Toward toward) {
+  return with_length_unit(amount(length, length, toward), units);
 }
 
 std::string amounts(double low, double high, double largest) {
@@ -107,8 +127,20 @@ std::string load_in_words(double low, double high, double largest, const Units& 
   return with_weight_unit(amounts(low, high, largest), units);
 }
 
+std::string amounts(const LoadRange& load, double largest) {
+  if (load.least == load.greatest) return amount(load.least, largest);
+  const std::string from = amount(load.least, largest, Toward::down),
+                    to = amount(load.greatest, largest, Toward::up);
+  return from == to ? from : from + "–" + to;
+}
+
+std::string load_in_words(const LoadRange& load, double largest, const Units& units) {
+  return with_weight_unit(amounts(load, largest), units);
+}
+
 std::string amounts(LoadModel model, const LoadRange& load, double largest) {
-  return (has_ranges(model) ? "" : "≤\u00A0") + amounts(load.least, load.greatest, largest);
+  if (has_ranges(model)) return amounts(load, largest);
+  return "≤\u00A0" + amount(load.greatest, largest, Toward::up);
 }
 
 std::string load_in_words(LoadModel model, const LoadRange& load, double largest,

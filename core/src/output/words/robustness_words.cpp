@@ -17,10 +17,6 @@ namespace {
 
 using Robots = std::vector<std::size_t>;
 
-std::string computed_length(double length, const Units& units) {
-  return with_length_unit(amount(length, length), units);
-}
-
 std::string springs_in_words(const SpringLoads& springs, const Units& units) {
   const auto [least, greatest] = std::minmax_element(springs.loads.begin(), springs.loads.end());
   const std::string text = say(
@@ -46,12 +42,23 @@ std::string in_letters(std::size_t number) {
 
 // After a failure, disturbed or not.
 double greatest_after(const RestOfRobots& rest) {
-  return std::max(rest.greatest_by_springs, rest.greatest_end);
+  return std::max(rest.greatest_by_springs, rest.greatest_end.value_or(0));
 }
-bool is_disturbed(const RestOfRobots& rest) { return rest.greatest_end > rest.greatest_by_springs; }
+bool is_disturbed(const RestOfRobots& rest) {
+  return greatest_after(rest) > rest.greatest_by_springs;
+}
 
 std::string robots_or(const Robots& robots) {
   return say(robots.size() == 1 ? "robot {robots}" : "any of robots {robots}", {listed(robots)});
+}
+
+// The numbers of failures ignore the given conditions.
+std::string presuming(const std::string& may_fail, const Shown& shown) {
+  const bool level = disturbance_of(shown).besides_com(), exact = shown.com_radius > 0;
+  return level && exact ? say("{failures}, on level ground and with C as given", {may_fail})
+         : level        ? say("{failures}, on level ground", {may_fail})
+         : exact        ? say("{failures}, with C as given", {may_fail})
+                        : may_fail;
 }
 
 }  // namespace
@@ -64,13 +71,13 @@ std::string model_in_words(LoadModel model, const ModelLoads& loads, const Units
       return springs_in_words(loads.springs, units);
     case LoadModel::best:
       return say("However well the weight is shared, some robot carries at least {load}.",
-                 {load_in_words(loads.best, loads.best, units)});
+                 {load_in_words(loads.best, units, Toward::down)});
     case LoadModel::worst: {
       const double greatest = *std::max_element(loads.worst.begin(), loads.worst.end());
       return say(
-          "If the robots' heights are unequal or the object bends, a robot may have to carry up to "
-          "{load}.",
-          {load_in_words(greatest, greatest, units)});
+          "On level ground and with C as given, a robot may have to carry up to {load} if heights "
+          "are unequal or the object bends.",
+          {load_in_words(greatest, units, Toward::up)});
     }
   }
   return {};
@@ -81,35 +88,25 @@ std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robu
   if (!loads.disturbance.any()) return {};
   const Units& units = shown.units;
   const SpringLoads& springs = loads.springs;
-  const bool slack = may_let_go(springs.loads, loads.changes);
-  const bool only_centre = loads.disturbance == Disturbance{.reach = shown.com_radius};
-  double greatest = 0, change = 0;
+  const double tips_at = robustness.tipping_distance, reach = loads.changes.effect.reach;
+  if (!loads.disturbance.besides_com() && reach >= tips_at)
+    return tips_at == 0 ? say("Even the smallest error of C can tip the object.")
+                        : say("If C is off by {distance} or more, the object can tip.",
+                              {length_in_words(tips_at, units, Toward::down)});
+  if (reach > tips_at) return {};  // the first sentence says that it tips
   const std::vector<LoadRange> ranges = load_ranges(springs.loads, loads.changes);
+  const bool slack = may_let_go(springs.loads, loads.changes);
+  double greatest = 0, change = 0;
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     greatest = std::max(greatest, ranges[i].greatest);
-    change = std::max(change, loads.changes.by[i]);
-    if (!slack) change = std::max(change, springs.loads[i] - ranges[i].least);
+    change = std::max({change, loads.changes.by[i], springs.loads[i] - ranges[i].least});
   }
-  const std::string most = load_in_words(greatest, greatest, units);
-  if (slack && !only_centre)
-    return say(
-        "If {conditions}, one of equally stiff robots may go slack, and another may have to carry up "
-        "to {load}.",
-        {disturbance_as_clause(shown), most});
-  const std::string text =
-      say("If {conditions}, the loads of equally stiff robots change by up to {load}.",
-          {disturbance_as_clause(shown), load_in_words(change, change, units)});
-  if (only_centre) {
-    if (robustness.tipping_distance == 0)
-      return text + " " + say("Even the smallest error can tip the object.");
-    if (shown.com_radius >= robustness.tipping_distance)
-      return text + " " +
-             say("From {distance} on, the object can tip.",
-                 {computed_length(robustness.tipping_distance, units)});
-  }
-  if (!slack) return text;
-  return text + " " +
-         say("One of them may go slack then, and another may have to carry up to {load}.", {most});
+  return slack
+             ? say("If {conditions}, one of equally stiff robots may go slack, and another may have "
+                   "to carry up to {load}.",
+                   {disturbance_as_clause(shown), load_in_words(greatest, units, Toward::up)})
+             : say("If {conditions}, the loads of equally stiff robots change by up to {load}.",
+                   {disturbance_as_clause(shown), load_in_words(change, units, Toward::up)});
 }
 
 std::string uncertainty_for_capacity_in_words(const ModelLoads& loads, const ShownPlacement& of) {
@@ -132,16 +129,17 @@ std::string uncertainty_for_capacity_in_words(const ModelLoads& loads, const Sho
       *radius ==
       com_radius_within(of, loads, std::vector<std::optional<double>>(capacities.size()));
   return say(ends_known ? "Equally stiff robots stay within {limit} as long as C is off by at most "
-                          "{distance}; beyond that, loads are not known in advance."
+                          "{distance}; beyond that, a robot may go slack or the object may "
+                          "tip, and loads were not computed."
                         : "Equally stiff robots stay within {limit} as long as C is off by at most "
                           "{distance}.",
-             {limit, computed_length(*radius, units)});
+             {limit, length_in_words(*radius, units, Toward::down)});
 }
 
 std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& failures,
                               const Units& units, const std::vector<bool>& overloads,
-                              const std::string& limit) {
-  Robots needed, for_steadiness, for_capacity;
+                              const std::string& limit, const std::string& conditions) {
+  Robots needed, tips, for_steadiness, for_capacity;
   double greatest = 0;
   bool disturbed = false;
   for (std::size_t i = 0; i < failures.size(); ++i) {
@@ -149,7 +147,11 @@ std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& fa
       needed.push_back(i + 1);
       continue;
     }
-    if (!failures[i]->clear || !failures[i]->stays) for_steadiness.push_back(i + 1);
+    if (!failures[i]->stays) {
+      tips.push_back(i + 1);
+      continue;
+    }
+    if (!failures[i]->clear) for_steadiness.push_back(i + 1);
     if (i < overloads.size() && overloads[i]) for_capacity.push_back(i + 1);
     greatest = std::max(greatest, greatest_after(*failures[i]));
     disturbed = disturbed || is_disturbed(*failures[i]);
@@ -158,23 +160,33 @@ std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& fa
   const std::string most =
       say(disturbed ? "at most {load} each if equally stiff, within the given conditions"
                     : "at most {load} each if equally stiff",
-          {load_in_words(greatest, greatest, units)});
-  std::string text =
-      needed.empty() ? say("Whichever robot fails, the others carry the object, {most}.", {most})
-                     : say("The object falls if {robots} fails. If another fails, the others carry "
-                           "it, {most}.",
-                           {robots_or(needed), most});
+          {load_in_words(greatest, units, Toward::up)});
+  if (tips.size() == failures.size())
+    return say("Whichever robot fails, it tips {conditions}.", {conditions});
+  std::string text;
+  if (!needed.empty()) text = say("The object falls if {robots} fails.", {robots_or(needed)}) + " ";
+  if (!tips.empty())
+    text += say("If {robots} fails, it tips {conditions}.", {robots_or(tips), conditions}) + " ";
+  if (needed.size() + tips.size() == failures.size()) {
+    text.pop_back();
+    return text;
+  }
+  text += text.empty() ? say("Whichever robot fails, the others carry the object, {most}.", {most})
+                       : say("If another fails, the others carry it, {most}.", {most});
   if (!for_steadiness.empty())
     text += " " + say("It can tip if {robots} fails.", {robots_or(for_steadiness)});
   if (!for_capacity.empty())
     text += " " + say("Some robot carries more than {limit} if {robots} fails.",
                       {limit, robots_or(for_capacity)});
-  return text + " " + say("A sudden failure can briefly double the change of load.");
+  return text + " " +
+         say("At a sudden failure loads swing beyond this, those of the nearest robots by about "
+             "twice the change, others by more.");
 }
 
 std::string failure_in_words(std::size_t robot, std::size_t robots,
                              const std::optional<RestOfRobots>& rest,
-                             const std::optional<double>& capacity, const Units& units) {
+                             const std::optional<double>& capacity, const Units& units,
+                             const std::string& conditions) {
   const std::string others = in_letters(robots - 1);
   if (robots == 1) return say("Robot {robot} fails: nothing else carries the object.", {robot + 1});
   if (!rest)
@@ -182,12 +194,14 @@ std::string failure_in_words(std::size_t robot, std::size_t robots,
                ? say("Robot {robot} fails: the other one cannot carry the object.", {robot + 1})
                : say("Robot {robot} fails: the other {number} cannot carry the object.",
                      {robot + 1, others});
+  if (!rest->stays)
+    return say("Robot {robot} fails: it tips {conditions}.", {robot + 1, conditions});
   const double greatest = greatest_after(*rest);
   const std::string most =
       say(is_disturbed(*rest) ? "at most {load} each within the given conditions"
                               : "at most {load} each",
-          {load_in_words(greatest, greatest, units)});
-  const bool can_tip = !rest->clear || !rest->stays;
+          {load_in_words(greatest, units, Toward::up)});
+  const bool can_tip = !rest->clear;
   const std::string text =
       robots == 2
           ? say(can_tip
@@ -226,18 +240,19 @@ std::vector<Fact> robustness_facts(const ShownPlacement& of, const Robustness& r
       : steady == 0       ? say("any {number}, but it can tip then", {carried})
                           : say("any {steady}; any {carried} if it may tip", {steady, carried});
   std::vector<Fact> facts = {
-      {"Robots that may fail", may_fail,
+      {"Robots that may fail", failing || carried == 0 ? may_fail : presuming(may_fail, of.shown),
        "If this number of robots fails at once, whichever they are, the others carry the object, if "
        "none is overloaded"},
-      {"Tipping distance", computed_length(robustness.tipping_distance, of.shown.units),
+      {"Tipping distance",
+       length_in_words(robustness.tipping_distance, of.shown.units, Toward::down),
        "If C is farther off than this, the object can tip; nearer it does not, if robots push back "
        "and none is overloaded"}};
-  const auto tilt =
-      tilt_of(of.shown, robustness.tipping_distance, of.placement.polygon().diameter());
+  const auto tilt = tilt_of(disturbance_of(of.shown), {}, robustness.tipping_distance,
+                            of.placement.polygon().diameter());
   if (tilt)
     facts.push_back(
         {"It tips on a slope of",
-         degrees_in_words(tilt->degrees) + " (" + slope_in_words(tilt->slope) + ")",
+         degrees_in_words(tilt->degrees) + " (" + slope_in_words(tilt->slope, Toward::down) + ")",
          "In the worst direction, at rest. On level ground it tips when it is braked at that ratio "
          "in g: 25 % means 0.25 g"});
   return facts;

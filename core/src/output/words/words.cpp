@@ -24,28 +24,29 @@ std::string joined(std::initializer_list<std::string> sentences) {
   return text;
 }
 
-std::string capital(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
-    text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
-}
-
 // "robots 3 and 4", from 1.
 std::string robots_of(const std::vector<std::size_t>& robots) {
   return say(robots.size() == 1 ? "robot {robots}" : "robots {robots}", {numbers_from_1(robots)});
+}
+
+// Whether the loads of this model are shown as ranges.
+bool shows_ranges(const ShownPlacement& of, LoadModel model) {
+  return has_ranges(model) && disturbance_of(of.shown).any();
 }
 
 std::string overload_in_words(const ShownPlacement& of, const std::vector<std::size_t>& robots,
                               LoadModel model, const std::optional<std::size_t>& failed) {
   const Placement& placement = of.placement;
   if (placement.teams.empty() || !placement.loads || !has_capacities(of)) return {};
+  // What tips carries nothing.
+  if (!failed && shows_ranges(of, model) && tips_when_disturbed(of)) return {};
   const bool has_own = has_own_capacities(of);
   // `best` ignores different capacities.
   if (has_own && model == LoadModel::best) return {};
   const std::string limit = limit_in_words(of);
   if (robots.empty()) return say("No robot carries more than {limit}.", {limit});
-  // `best` gives the greatest load, not its robot. By `worst`, not all robots have their greatest
-  // loads at once.
+  // `best` gives the greatest load, not its robot. By `worst`, and in ranges, not all robots have
+  // their greatest loads at once.
   if (model == LoadModel::best)
     return say("However the weight is shared, some robot carries more than {limit}.", {limit});
   constexpr const char* sentences[3][2] = {
@@ -59,14 +60,11 @@ std::string overload_in_words(const ShownPlacement& of, const std::vector<std::s
               : say(failed ? "{some} of the other {number} robots" : "{some} of {number} robots",
                     {robots.size(), all});
   const std::string values[] = {who, limit};
-  const std::size_t verb = model == LoadModel::worst ? 0 : robots.size() == 1 ? 1 : 2;
+  const std::size_t verb = model == LoadModel::worst || shows_ranges(of, model) ? 0
+                           : robots.size() == 1                                 ? 1
+                                                                                : 2;
   return say_written(sentences[verb][has_own ? 0 : 1], values, has_own ? 1 : 2) +
          (are_all ? "" : ": " + robots_of(robots)) + ".";
-}
-
-// Whether anything but a C uncertainty may change loads.
-bool needs_level(const Shown& shown) {
-  return disturbance_of(shown) != Disturbance{.reach = shown.com_radius};
 }
 
 // The plan assumes that all robots work, level and even ground, and an exact C. If other loads are
@@ -74,11 +72,13 @@ bool needs_level(const Shown& shown) {
 std::string need_in_words(const CapacityPlan& plan, const ShownPlacement& of, LoadModel model,
                           const std::optional<std::size_t>& failed) {
   const Settings& settings = of.placement.settings;
-  const char* presumed = failed                     ? "With no failures"
-                         : model != LoadModel::plan ? "As planned"
-                         : needs_level(of.shown) ? "On level, even ground and with C known exactly"
-                         : of.shown.com_radius > 0 ? "With C known exactly"
-                                                   : nullptr;
+  const char* presumed =
+      failed                     ? "Considering load only, with no failures"
+      : model != LoadModel::plan ? "Considering load only, as planned"
+      : disturbance_of(of.shown).besides_com()
+          ? "Considering load only, on level, even ground and with C known exactly"
+      : of.shown.com_radius > 0 ? "Considering load only, with C known exactly"
+                                : nullptr;
   // For balanced robots, the plan does not check whether such a set exists (plan_capacity).
   const bool balanced = settings.method == Method::balanced;
   if (plan.possible)
@@ -86,7 +86,7 @@ std::string need_in_words(const CapacityPlan& plan, const ShownPlacement& of, Lo
                         : "{presumed}, this method needs {robots}, with at most {load} each.",
                {presumed ? presumed : "Considering load only",
                 count_of(plan.team_size * plan.teams, "robot", "robots"),
-                load_in_words(plan.greatest_load, plan.greatest_load, of.shown.units)});
+                load_in_words(plan.greatest_load, of.shown.units, Toward::up)});
   const std::uint32_t tried = plan.team_size * plan.tried;
   // More robots may have room, but were not tried.
   const bool stopped =
@@ -102,13 +102,20 @@ std::string need_in_words(const CapacityPlan& plan, const ShownPlacement& of, Lo
                   : say("Even all {number} robots that can be placed are too few.", {tried});
 }
 
-std::string need_if_one_fails(const FailurePlan& plan, const Units& units) {
-  if (plan.possible)
+std::string need_if_one_fails(const FailurePlan& plan, const ShownPlacement& of) {
+  if (of.placement.settings.method == Method::given) return {};
+  if (plan.possible || plan.can_tip)
     return say(
-        "To allow for any one failure: {robots}, at most {load} each at rest if equally stiff.",
+        plan.can_tip
+            ? "To allow for any one failure: {robots}, at most {load} each at rest if equally stiff, "
+              "but the object can then tip."
+        : disturbance_of(of.shown).any()
+            ? "To allow for any one failure: {robots}, at most {load} each if equally stiff, within "
+              "the given conditions."
+            : "To allow for any one failure: {robots}, at most {load} each at rest if equally stiff.",
         {count_of(plan.robots, "robot", "robots"),
-         load_in_words(plan.greatest_load, plan.greatest_load, units)});
-  if (plan.tried == 0) return {};
+         load_in_words(plan.greatest_load, of.shown.units, Toward::up)});
+  if (plan.tried == 0) return say("No number of robots was found to allow for any one failure.");
   return say("No number up to {robots} was found to allow for any one failure.",
              {count_of(plan.tried, "robot", "robots")});
 }
@@ -136,6 +143,12 @@ std::string fall_in_words(const ShownPlacement& of) {
   return say(
       "It falls: the centre of mass is {distance} outside the lifting base, beyond {robots}.",
       {with_length_unit(amount(outside, outside), of.shown.units), robots_of(over)});
+}
+
+std::vector<double> greatest_of(const std::vector<LoadRange>& loads) {
+  std::vector<double> greatest;
+  for (const LoadRange& load : loads) greatest.push_back(load.greatest);
+  return greatest;
 }
 
 // A margin below 0 measures how far form closure is missed, not a strength.
@@ -171,7 +184,8 @@ std::string loads_in_words(const ShownPlacement& of, LoadModel shown,
   const std::string all = placement.settings.cargo.empty()
                               ? say("{weight} in all", {weight_in_words(of)})
                               : weight_in_words(of);
-  const std::string disturbance = disturbance_in_words(of.shown);
+  const bool tips = tips_when_disturbed(of);
+  const std::string disturbance = tips ? std::string() : disturbance_in_words(of.shown);
   const LoadSummary& loads = *placement.loads;
   const bool given = placement.settings.method == Method::given, planned = shown == LoadModel::plan;
   const std::size_t number = count_robots(placement.teams);
@@ -184,11 +198,12 @@ std::string loads_in_words(const ShownPlacement& of, LoadModel shown,
       least = std::min(least, range.least);
       greatest = std::max(greatest, range.greatest);
     }
-    return say(number == 1 ? "{robots} carries {load}, {conditions} ({all})."
-                           : "{robots} carry {load} each, {conditions} ({all}).",
-               {robots, load_in_words(least, greatest, greatest, units), disturbance, all});
+    return say(
+        number == 1 ? "{robots} carries {load}, {conditions} ({all})."
+                    : "{robots} carry {load} each, {conditions} ({all}).",
+        {robots, load_in_words(LoadRange{least, greatest}, greatest, units), disturbance, all});
   }
-  constexpr const char* sentences[3][3] = {
+  constexpr const char* sentences[4][3] = {
       {"{robots} carries {load} ({all}).", "{robots} carry {load} each ({all}).",
        "{robots} carry equal loads of {load} ({all})."},
       {"If equally stiff, {robots} carries {load} ({all}).",
@@ -196,9 +211,12 @@ std::string loads_in_words(const ShownPlacement& of, LoadModel shown,
        "If equally stiff, {robots} carry equal loads of {load} ({all})."},
       {"As planned, {robots} carries {load} ({all}).",
        "As planned, {robots} carry {load} each ({all}).",
-       "As planned, {robots} carry equal loads of {load} ({all})."}};
+       "As planned, {robots} carry equal loads of {load} ({all})."},
+      {"On level ground and with C as given, {robots} carries {load} ({all}).",
+       "On level ground and with C as given, {robots} carry {load} each ({all}).",
+       "On level ground and with C as given, {robots} carry equal loads of {load} ({all})."}};
   const bool equal = placement.settings.method == Method::balanced;
-  return say(sentences[planned ? 0
+  return say(sentences[planned ? tips ? 3 : 0
                        : given ? 1
                                : 2][equal         ? 2
                                     : number == 1 ? 0
@@ -366,15 +384,50 @@ bool is_held(const Placement& placement) {
 std::string detail_in_words(const ShownPlacement& of) {
   const Placement& placement = of.placement;
   const std::string coverage = coverage_in_words(placement), closure = closure_in_words(of);
-  // Problems come first.
+  // A press matters only where the object stays without one. Problems come first.
+  if (tips_when_disturbed(of)) return joined({shortage_in_words(placement), closure});
   const bool closure_first = !is_held(placement) && placement.coverage >= good_coverage;
   return joined({shortage_in_words(placement), closure_first ? closure : coverage,
                  closure_first ? coverage : closure});
 }
 
+std::string worst_news_in_words(const ShownPlacement& of, LoadModel shown,
+                                const std::vector<LoadRange>& loads) {
+  if (!of.placement.loads) return {};
+  const std::string tips = tipping_in_words(robustness(of.placement), of);
+  const std::vector<std::size_t> overloaded = overloaded_robots(of, greatest_of(loads));
+  if (!tips.empty() || overloaded.empty()) return tips;
+  return overload_in_words(of, overloaded, shown, std::nullopt);
+}
+
+std::string if_uneven_in_words(const ShownPlacement& of, const std::vector<LoadRange>& loads) {
+  const Placement& placement = of.placement;
+  if (placement.settings.method != Method::given || !placement.loads ||
+      loads_are_determined(placement) || tips_when_disturbed(of))
+    return {};
+  const std::vector<double> worst = worst_loads(of).value_or(std::vector<double>());
+  if (worst.empty() || worst == greatest_of(loads)) return {};  // the ranges say it
+  const double most = *std::max_element(worst.begin(), worst.end());
+  std::vector<std::size_t> who;
+  for (std::size_t i = 0; i < worst.size(); ++i)
+    if (worst[i] >= most - tau * placement.weight()) who.push_back(i);
+  const std::string load = load_in_words(most, of.shown.units, Toward::up);
+  constexpr std::size_t most_named = 3;
+  const std::string text =
+      who.size() > most_named
+          ? say("If one of them stands a little high, some robot can come to carry {load}.", {load})
+          : say("If one of them stands a little high, {robots} can come to carry {load}.",
+                {robots_of(who), load});
+  const std::vector<std::size_t> overloaded = overloaded_robots(of, worst),
+                                 already = overloaded_robots(of, greatest_of(loads));
+  if (overloaded.empty() || overloaded == already) return text;
+  return text + " " + overload_in_words(of, overloaded, LoadModel::worst, std::nullopt);
+}
+
 std::string verdict(const ShownPlacement& of, LoadModel shown,
                     const std::vector<LoadRange>& ranges) {
-  return joined({loads_in_words(of, shown, ranges), detail_in_words(of)});
+  return joined({worst_news_in_words(of, shown, ranges), loads_in_words(of, shown, ranges),
+                 if_uneven_in_words(of, ranges), detail_in_words(of)});
 }
 
 std::string limit_in_words(const ShownPlacement& of) {
@@ -393,8 +446,14 @@ std::string capacity_in_words(const ShownPlacement& of, const CapacityPlan* plan
                               const std::optional<std::size_t>& failed,
                               const FailurePlan* if_one_fails) {
   return joined({overload_in_words(of, overloaded, model, failed),
-                 plan ? need_in_words(*plan, of, model, failed) : std::string(),
-                 if_one_fails ? need_if_one_fails(*if_one_fails, of.shown.units) : std::string()});
+                 needs_in_words(of, plan, model, failed, if_one_fails)});
+}
+
+std::string needs_in_words(const ShownPlacement& of, const CapacityPlan* plan, LoadModel model,
+                           const std::optional<std::size_t>& failed,
+                           const FailurePlan* if_one_fails) {
+  return joined({plan ? need_in_words(*plan, of, model, failed) : std::string(),
+                 if_one_fails ? need_if_one_fails(*if_one_fails, of) : std::string()});
 }
 
 std::vector<Fact> facts_in_words(const ShownPlacement& of) {
@@ -461,7 +520,7 @@ std::string sentence(const InputError& error) {
   const std::string place = describe(error.place), message(translated(error.message));
   const std::string_view both = translated("the edges ");
   if (place.starts_with(translated("edges ")) && message.starts_with(both))
-    return capital(place + " " + message.substr(both.size()));
+    return with_capital(place + " " + message.substr(both.size()));
   const bool option = error.place.kind == Place::Kind::option,
              whole_link = error.place.kind == Place::Kind::link && error.place.index == 0;
   // A message about a setting or a link usually begins with its subject; the name in front would
@@ -470,9 +529,9 @@ std::string sentence(const InputError& error) {
   // So would "centre of mass".
   const std::string within = error.place.kind == Place::Kind::centre_of_mass ? "" : "the ";
   const bool doubled = message.find(within + place) != std::string::npos;
-  if (place.empty() || doubled || (named && (option || whole_link))) return capital(message);
+  if (place.empty() || doubled || (named && (option || whole_link))) return with_capital(message);
   // A setting's name keeps its spelling.
-  return option ? place + ": " + message : capital(place + ": " + message);
+  return option ? place + ": " + message : with_capital(place + ": " + message);
 }
 
 }  // namespace evenlift
