@@ -28,7 +28,8 @@ from check_supports import (  # noqa: E402
     random_polygon, standing_of, star_polygon, steps_polygon, strictly_inside_hull, support, twice_area)  # fmt: skip
 
 NEAR = 1e-7  # a nearer decision draws the case again; in parts of the weight or the size
-TILT = {"height", "reach", "stays", "slope", "degrees", "acceleration"}
+TILT = {"height", "reach", "stays", "slope", "degrees", "acceleration", "acceleration_left", "slope_left"}
+UNBOUNDED = Fraction(10**12)  # of the weight: a change of load without a bound
 
 
 # What the definition says, in fractions.
@@ -70,10 +71,26 @@ class Springs:
         return sum(abs((i == j) - share) for j, share in enumerate(shares))
 
     def halves(self, weight, reach, uneven, mean_load=None):
-        """Half the widths of the ranges; `uneven` is a part of what robots give way under the mean load."""
+        """Half the widths of the ranges; `uneven` is a part of what robots give way under the mean load, or None if
+        that is not known."""
         mean_load = weight / self.count if mean_load is None else mean_load
-        skews = [self.skew(i) if uneven else 0 for i in range(self.count)]
-        return [weight * reach * length(pull) + mean_load * uneven * skew for pull, skew in zip(self.pulls, skews)]
+        skews = [0 if uneven == 0 else self.skew(i) for i in range(self.count)]
+        changes = [UNBOUNDED * weight * (skew > 0) if uneven is None else mean_load * uneven * skew for skew in skews]
+        return [weight * reach * length(pull) + change for pull, change in zip(self.pulls, changes)]
+
+    def tilt(self):
+        """The slope by which heights that are off by up to 1 tilt the object: the greatest sum of |v . pull|.
+
+        It is a corner of the sums of pulls with signs, and its direction v is across some pull.
+        """
+        greatest = Fraction(0)
+        for pull in self.pulls:
+            for own in (1, -1):
+                signs = [own if cross(pull, q) == 0 and dot(pull, q) > 0 else -own if cross(pull, q) == 0 else 1 if cross(pull, q) > 0 else -1
+                         for q in self.pulls]  # fmt: skip
+                total = tuple(sum(s * q[k] for s, q in zip(signs, self.pulls)) for k in (0, 1))
+                greatest = max(greatest, dot(total, total))
+        return square_root(greatest)
 
 
 def share_of_three(points, i, place):
@@ -264,19 +281,44 @@ class Case:
         own, weight = self.own_mass_centre, self.weight
         return tuple((weight * own[k] + sum(w * q[k] for q, w in self.cargo)) / self.total for k in (0, 1))
 
+    def slope_of(self, springs):
+        """The slope of the object on these robots: uneven heights tilt it, too, which counts with a height of C."""
+        tilts = self.setting("com-height") > 0 and self.setting("uneven") > 0
+        return self.setting("slope") + (self.setting("uneven") * springs.tilt() if tilts else 0)
+
+    def reach_of(self, springs):
+        """How far from C the resultant meets the plane of the robots."""
+        slope, braked = self.slope_of(springs), self.setting("acceleration")
+        return self.setting("com-radius") + self.setting("com-height") * (slope + braked * square_root(1 + slope * slope))
+
+    def load_reach_of(self, springs):
+        return self.setting("com-radius") + self.setting("com-height") * (self.slope_of(springs) + self.setting("acceleration"))
+
+    def kept_of(self, springs):
+        return 1 / square_root(1 + self.slope_of(springs) ** 2)
+
     @functools.cached_property
     def reach(self):
-        slopes = self.setting("slope") + self.setting("acceleration")
-        return self.setting("com-radius") + self.setting("com-height") * slopes
+        return self.reach_of(self.springs)
+
+    @functools.cached_property
+    def load_reach(self):
+        return self.load_reach_of(self.springs)
+
+    @functools.cached_property
+    def kept(self):
+        return self.kept_of(self.springs)
 
     @functools.cached_property
     def uneven(self):
-        """The unevenness as a part of what robots give way under the mean load."""
-        return self.setting("uneven") / self.setting("give") if self.setting("give") else Fraction(0)
+        """The unevenness as a part of what robots give way under the mean load; None if that is not known."""
+        if not self.setting("uneven"):
+            return Fraction(0)
+        return self.setting("uneven") / self.setting("give") if self.setting("give") else None
 
     @functools.cached_property
     def is_uncertain(self):
-        return self.reach > 0 or self.uneven > 0 or self.setting("slope") > 0
+        return self.reach > 0 or self.uneven != 0 or self.setting("slope") > 0
 
     @functools.cached_property
     def limits(self):
@@ -294,7 +336,7 @@ class Case:
 
     @functools.cached_property
     def halves(self):
-        return self.springs.halves(self.total, self.reach, self.uneven)
+        return self.springs.halves(self.total, self.load_reach, self.uneven)
 
     @functools.cached_property
     def standing(self):
@@ -312,7 +354,7 @@ class Case:
             pull = self.springs.pulls[i]
             level = self.loads[i] + extra * self.springs.share(i, (0, 0))
             gradient = tuple(extra * x for x in pull)
-            conditions.append((level - self.halves[i] + spare, gradient))
+            conditions.append((level - self.halves[i] / self.kept + spare, gradient))
             if limit is not None:
                 conditions.append((limit - level - self.halves[i] + spare, tuple(-x for x in gradient)))
         return conditions
@@ -415,11 +457,15 @@ def random_settings(rng, case, far=0.35, kinds=("com-radius", "slope", "accelera
         settings[kind] = rounded(part if kind == "com-radius" else part / float(height))
     if settings.get("slope", 0) > 1:  # steeper than the program takes
         settings["acceleration"] = settings.pop("slope")
+    if settings.get("acceleration", 0) > 10:  # more than it takes
+        raise Ambiguous
     if rng.random() < 0.4:
         settings["give"] = rounded(size * rng.uniform(0.001, 0.2))
         room = float(min(f / case.total for f in case.loads)) * len(case.supports) if min(case.loads) > 0 else 0.1
         part = rng.choice([rng.uniform(0.02, 0.5), rng.uniform(0.3, 2)])
         settings["uneven"] = rounded(float(settings["give"]) * room * part)
+        if rng.random() < 0.1:
+            settings.pop("give")
     return settings
 
 
@@ -427,7 +473,9 @@ def with_settings(case, settings, **more):
     case = dataclasses.replace(case, settings=settings, **more)
     if abs(float(case.reach) - case.standing.margin) < NEAR * case.polygon.size:
         raise Ambiguous
-    if any(abs(f - half) < NEAR * case.total for f, half in zip(case.loads, case.halves)):
+    if case.standing.margin > 0 and float(case.reach) > 1.6 * case.standing.margin:
+        raise Ambiguous  # bounds_over_disc() is exact where the disc crosses one edge of the base
+    if any(abs(case.kept * f - half) < NEAR * case.total for f, half in zip(case.loads, case.halves)):
         raise Ambiguous
     return case
 
@@ -464,6 +512,19 @@ def check_tilt(case, result):
     expect_near(tilt["degrees"], math.degrees(math.atan(slope)), 60 * tolerance, "tilt.degrees")
     stays = case.standing.stands and float(case.reach) <= case.standing.margin + TAU * size
     expect(tilt["stays"] is stays, f"tilt.stays is {tilt['stays']}")
+    k1, k2 = float(case.slope_of(case.springs)), float(case.setting("acceleration"))
+    left = {"acceleration_left": (case.setting("slope"), max(0.0, (slope - k1) / math.sqrt(1 + k1 * k1)))}
+    # The slope at which k1 + k2 sqrt(1 + k1^2) is the slope that tips, by halving.
+    low, high = 0.0, slope
+    for _ in range(200):
+        middle = (low + high) / 2
+        low, high = (middle, high) if middle + k2 * math.sqrt(1 + middle * middle) < slope else (low, middle)
+    left["slope_left"] = (k2, max(0.0, low - (k1 - float(case.setting("slope")))))
+    for name, (given, right) in left.items():
+        if not given:
+            expect(tilt[name] is None, f"tilt.{name} is {tilt[name]}")
+        else:
+            expect_near(tilt[name], right, 10 * tolerance, f"tilt.{name}")
 
 
 def expect_worst(got, points, i, centre, reach, weight, what):
@@ -472,6 +533,34 @@ def expect_worst(got, points, i, centre, reach, weight, what):
     tolerance = LOADS * float(weight)
     near = got is not None and lower - tolerance <= got <= upper + tolerance
     expect(near, f"{what}: the program says {got}, the definition {upper!r}")
+
+
+def least_share(points, i, centre, reach):
+    """The least part of the weight that robot i can carry with C anywhere within the reach, in doubles, by halving.
+
+    The rest of the weight acts at a point of the hull of the others.
+    """
+    p = tuple(float(x) for x in minus(points[i], centre))
+    hull = [tuple(float(x) for x in minus(q, centre)) for q in convex_hull(points[:i] + points[i + 1 :])]
+
+    def off(t):  # convex in t
+        ring = [tuple(t * a + (1 - t) * b for a, b in zip(p, q)) for q in hull]
+        sides = edges_of(ring)
+        if len(ring) > 2 and all(cross(minus(b, a), (-a[0], -a[1])) >= 0 for a, b in sides):
+            return 0.0
+        return min(distance((0.0, 0.0), nearest_on_segment((0.0, 0.0), a, b)) for a, b in sides)
+
+    if off(0.0) <= reach:
+        return 0.0
+    low, high = 0.0, 1.0
+    for _ in range(200):  # to where C is nearest
+        a, b = low + (high - low) / 3, high - (high - low) / 3
+        low, high = (low, b) if off(a) <= off(b) else (a, high)
+    low = 0.0
+    for _ in range(100):
+        middle = (low + high) / 2
+        low, high = (low, middle) if off(middle) <= reach else (middle, high)
+    return high
 
 
 def check_ranges(case, result):
@@ -488,15 +577,16 @@ def check_ranges(case, result):
     expect(isinstance(loads["may_let_go"], bool), f"may_let_go is {loads['may_let_go']}")
     if has_slack(case):
         return "slack already"
-    may_let_go = any(f < half for f, half in zip(case.loads, case.halves))
+    may_let_go = any(case.kept * f < half for f, half in zip(case.loads, case.halves))
     expect(loads["may_let_go"] is may_let_go, f"loads.may_let_go is {loads['may_let_go']}")
-    across = 1 / square_root(1 + case.setting("slope") ** 2)
     for i, (f, half) in enumerate(zip(case.loads, case.halves)):
         tolerance, what = LOADS * float(case.total + half), f"loads.ranges[{i}]"
-        expect_near(ranges[i][0], max(Fraction(0), f * across - half), tolerance, f"{what}[0]")
         if may_let_go:
-            expect_worst(ranges[i][1], case.supports, i, case.centre, case.reach, case.total, f"{what}[1]")
+            least = float(case.kept * case.total) * least_share(case.supports, i, case.centre, float(case.reach))
+            expect_near(ranges[i][0], least, 1e-8 * float(case.total), f"{what}[0]")
+            expect_worst(ranges[i][1], case.supports, i, case.centre, case.load_reach, case.total, f"{what}[1]")
         else:
+            expect_near(ranges[i][0], max(Fraction(0), f * case.kept - half), tolerance, f"{what}[0]")
             expect_near(ranges[i][1], f + half, tolerance, f"{what}[1]")
     return "may go slack" if may_let_go else "all carry"
 
@@ -539,7 +629,7 @@ def greatest_anywhere(case):
         for share in {case.springs.share(i, v) for v in case.polygon.vertices}:
             if 0 < abs(share) < 1e-6:
                 raise Ambiguous
-            rows = [(case.loads[i] - case.halves[i], share)]
+            rows = [(case.loads[i] - case.halves[i] / case.kept, share)]
             rows += [(limit - case.loads[i] - case.halves[i], -share)] if limit is not None else []
             for level, rate in rows:  # level + rate w >= 0
                 if abs(level) < NEAR * case.total:
@@ -608,8 +698,16 @@ def check_failures(case, result):
         if not standing.stands:
             expect(failure["stays"] is failure["greatest_end"] is None, f"{what} is not carried, and yet {failure}")
             continue
-        if abs(float(case.reach) - standing.margin) > NEAR * size:
-            expect(failure["stays"] is (float(case.reach) <= standing.margin), f"{what}.stays is {failure['stays']}")
+        try:
+            reach = float(case.reach_of(Springs(rest)))
+        except (Ambiguous, ZeroDivisionError):
+            continue
+        if abs(reach - standing.margin) <= NEAR * size:
+            continue
+        expect(failure["stays"] is (reach <= standing.margin), f"{what}.stays is {failure['stays']}")
+        if not failure["stays"]:  # what tips carries nothing
+            expect(failure["greatest_end"] is None, f"{what} tips, and yet {failure}")
+            continue
         try:
             checked += check_greatest_end(case, rest, failure["greatest_end"], f"{what}.greatest_end")
         except Ambiguous:
@@ -626,14 +724,15 @@ def check_greatest_end(case, rest, got, what):
     if min(loads) < NEAR * case.total:
         raise Ambiguous
     expect(got is not None, f"{what} is missing")
+    reach, kept = case.load_reach_of(springs), case.kept_of(springs)
     for count in {len(rest), len(case.supports)} if case.uneven else {len(rest)}:
-        halves = springs.halves(case.total, case.reach, case.uneven, case.total / count)
-        if any(abs(f - half) < NEAR * case.total for f, half in zip(loads, halves)):
+        halves = springs.halves(case.total, reach, case.uneven, case.total / count)
+        if any(abs(kept * f - half) < NEAR * case.total for f, half in zip(loads, halves)):
             raise Ambiguous
-        if all(f > half for f, half in zip(loads, halves)):
+        if all(kept * f > half for f, half in zip(loads, halves)):
             right = 2 * (max(f + half for f, half in zip(loads, halves)),)
         else:
-            bounds = [bounds_over_disc(rest, i, case.centre, case.reach) for i in range(len(rest))]
+            bounds = [bounds_over_disc(rest, i, case.centre, reach) for i in range(len(rest))]
             right = tuple(case.total * max(bound[k] for bound in bounds) for k in (0, 1))
         tolerance = LOADS * float(case.total + right[1])
         if float(right[0]) - tolerance <= got <= float(right[1]) + tolerance:
@@ -723,7 +822,9 @@ def sampled_directions(rng, program):
     settings["com-height"] = rounded(size * rng.uniform(0.05, 1))
     if rng.random() < 0.5:
         settings["com-radius"] = rounded(margin * rng.uniform(0.1, 0.7))
-    part, share = Fraction(rng.choice([rng.uniform(0.05, 0.9), 1 - 1e-6, 1 - 1e-6])), Fraction(rng.choice([0, 0.5, 1]))
+    part = Fraction(rng.choice([rng.uniform(0.05, 0.9), 1 - 1e-6, 1 - 1e-6]))
+    # Together, slope and braking reach farther than their sum.
+    share = Fraction(rng.choice([0, 0.5, 1] if part < 0.9 else [0, 1]))
     turns = [(j + rng.random()) / 64 for j in range(64)]
     case = dataclasses.replace(case, settings=settings)
 
@@ -742,15 +843,16 @@ def sampled_directions(rng, program):
         expect(result["tilt"]["stays"] is True, f"it does not stay on a slope of less than {float(told)}")
         ranges, may_let_go = result["loads"]["ranges"], result["loads"]["may_let_go"]
         reach, tolerance = float(within_it.reach), LOADS * float(case.total)
+        kept = float(within_it.kept)  # less of the weight acts on the robots
         for turn in turns:
             way = (reach * math.cos(2 * math.pi * turn), reach * math.sin(2 * math.pi * turn))
             other, where = moved(case, way).result(), f"with C moved by {way}"
             expect(other["stands"] is True, f"it tips {where}")
             models = other["loads"]["models"]
             for i, (least, greatest) in enumerate(ranges):
-                f, worst = models["springs"][i], models["worst"][i]
+                f, worst = kept * models["springs"][i], kept * models["worst"][i]
                 expect(f <= greatest + tolerance, f"robot {i} carries {f}, more than {greatest}, {where}")
-                expect(may_let_go or f >= least - tolerance, f"robot {i} carries {f}, less than {least}, {where}")
+                expect(f >= least - tolerance, f"robot {i} carries {f}, less than {least}, {where}")
                 expect(not may_let_go or worst <= greatest + tolerance, f"robot {i} may carry {worst} {where}")
         off, n = min(lines_of(case))
         outward = tuple(off * (1 + 1e-5) * x for x in n)
@@ -768,7 +870,7 @@ def worst_points(rng, program):
     settings = random_settings(rng, case, far=0, kinds=kinds)
     settings.pop("give", None), settings.pop("uneven", None)
     case = with_settings(case, settings)
-    if case.reach == 0 or any(f < half for f, half in zip(case.loads, case.halves)):
+    if case.reach == 0 or any(case.kept * f < half for f, half in zip(case.loads, case.halves)):
         raise Ambiguous
 
     def check(answer):
@@ -790,7 +892,7 @@ def worst_points(rng, program):
 
 def is_fine(case, loads):
     """Whether with these loads, in their ranges, no robot is slack or overloaded; None if that is near."""
-    spare = [f - float(half) for f, half in zip(loads, case.halves)]
+    spare = [f - float(half / case.kept) for f, half in zip(loads, case.halves)]
     spare += [float(k) - f - float(half) for f, half, k in zip(loads, case.halves, case.limits) if k is not None]
     near = 1e-8 * float(case.total)
     return None if abs(min(spare)) <= near else min(spare) > 0
@@ -857,7 +959,7 @@ def room_at(case, place, weight):
     room = []
     for i, (f, half, limit) in enumerate(zip(case.loads, case.halves, case.limits)):
         with_it = f + weight * case.springs.share(i, place)
-        room += [with_it - half, *([] if limit is None else [limit - with_it - half])]
+        room += [with_it - half / case.kept, *([] if limit is None else [limit - with_it - half])]
     return min(room)
 
 
@@ -870,8 +972,6 @@ def one_answer(rng, program):
         settings["capacity"] = rounded(max(case.loads) * Fraction(rng.uniform(1, 2.5)))
     case = with_settings(case, settings, more=("--failures",))
     region_to_compare(case), greatest_anywhere(case)
-    if any(abs(f - half) < NEAR * case.total for f, half in zip(case.loads, case.halves)):
-        raise Ambiguous
     scale, heavier = Fraction(2) ** rng.randint(-6, 6), Fraction(2) ** rng.randint(-3, 3)
     flip, order = rng.choice([1, -1]), rng.sample(range(len(case.supports)), len(case.supports))
 
@@ -927,11 +1027,11 @@ def is_failure_near(case, failed):
     except (Ambiguous, ZeroDivisionError):
         return True
     loads, near = springs.loads(case.centre, case.total), NEAR * case.total
-    if margin > 0 and (min(loads) < near or abs(margin - float(case.reach)) < NEAR * case.polygon.size):
+    if margin > 0 and (min(loads) < near or abs(margin - float(case.reach_of(springs))) < NEAR * case.polygon.size):
         return True
-    counts = (len(rest), len(case.supports))
-    halves = [springs.halves(case.total, case.reach, case.uneven, case.total / count) for count in counts]
-    return any(abs(f - half) < near for each in halves for f, half in zip(loads, each))
+    counts, reach, kept = (len(rest), len(case.supports)), case.load_reach_of(springs), case.kept_of(springs)
+    halves = [springs.halves(case.total, reach, case.uneven, case.total / count) for count in counts]
+    return any(abs(kept * f - half) < near for each in halves for f, half in zip(loads, each))
 
 
 # The examples of the definition, and some more.
@@ -959,6 +1059,7 @@ def examples(program):
 
     def tips(r):
         right = {"height": 1, "reach": 0, "slope": 0.5, "acceleration": 0.5, "degrees": 26.56505117707799}
+        expect(r["tilt"]["acceleration_left"] is r["tilt"]["slope_left"] is None, "nothing is left where nothing is set")
         expect(set(r["tilt"]) == TILT, f"tilt is {r['tilt']}")
         for name, value in right.items():
             expect_near(r["tilt"][name], value, 1e-9, f"tilt.{name}")
@@ -989,6 +1090,25 @@ def examples(program):
 
     def slack_hexagon(r):  # 4/3 of the mean load is more than it, so the upper end is that of `worst`
         expect_ranges(r, [(0, 50)] * 6, may_let_go=True)
+
+    def lets_go(r):
+        expect_ranges(r, [(0, 50)] * 4, may_let_go=True)
+
+    def tilts(value, stays):
+        def check(r):
+            expect_near(r["tilt"]["reach"], value, 5e-5, "tilt.reach")
+            expect(r["tilt"]["stays"] is stays, f"tilt.stays is {r['tilt']['stays']}")
+
+        return check
+
+    def left(name, value):
+        return lambda r: expect_near(r["tilt"][name], value, 5e-5, f"tilt.{name}")
+
+    def anywhere(value):
+        return lambda r: expect_near(r["extra"]["anywhere"], value, 0.05, "extra.anywhere")
+
+    def least(robot, value):
+        return lambda r: expect_near(r["loads"]["ranges"][robot][0], value, 5e-4, f"loads.ranges[{robot}][0]")
 
     def uneven_three(r):  # three robots touch any ground
         expect_ranges(r, [(25, 25), (25, 25), (50, 50)])
@@ -1052,7 +1172,17 @@ def examples(program):
     yield example(beyond_the_limit, com_height=1, slope=0.6)
     yield example(reach(0.16), com_height=2, slope="8%")
     yield example(reach(2 * math.tan(math.radians(4.6))), com_height=2, slope="4.6deg")
-    yield example(reach(0.3), com_height=2, slope=0.05, acceleration=0.1)
+    yield example(reach(2 * (0.05 + 0.1 * math.sqrt(1.0025))), com_height=2, slope=0.05, acceleration=0.1)
+    yield example(tilts(0.4979, True), com_height=1.24, slope=0.1, acceleration=0.3)
+    yield example(tilts(0.5189, False), com_height=0.49, slope=0.5, acceleration=0.5)
+    yield example(tilts(0.2, True), com_height=1, give=1, uneven=0.1)  # heights tilt it by 2 uneven / side
+    yield example(left("acceleration_left", 0.0928), com_height=1, slope=0.4)
+    yield example(left("slope_left", 0.1944), com_height=1, acceleration=0.3)
+    yield example(lets_go, slope=0.5, give=1, uneven=0.95)
+    yield example(lets_go, uneven=5)
+    yield example(anywhere(44.1), slope=0.5, give=1, uneven=0.5, extra=10)
+    yield example(least(4, 0), supports=[*corners, (half, half)], com_radius=0.45)
+    yield example(least(0, 14.487), com_height=0.3, slope=0.3, acceleration=0.5, more=("--com", "0.25,0.25"))
     yield example(falling, supports=[(0, 0), (0.25, 0), (0, 0.25)], com_height=1, slope=0.1)
     yield example(segment, supports=[(quarter, 0), (1 - quarter, 1)], com_height=1, slope=0.1)
     yield example(nothing_set)

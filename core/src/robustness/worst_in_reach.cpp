@@ -55,13 +55,14 @@ double greatest_share(const Vec2& p, const Points& hull, double reach) {
 // t until the bound is the reach.
 double least_share(const Vec2& p, const Points& hull, double reach) {
   constexpr int most_steps = 100;
+  constexpr double rounding = 0x1p-48;  // a nearer point has no certain direction
   double t = 0;
   for (int i = 0; i < most_steps && t < 1; ++i) {
     Points shrunk;
     for (const Vec2& corner : hull) shrunk.push_back(t * p + (1 - t) * corner);
     const Vec2 nearest = nearest_to_origin(shrunk);
     const double distance = length(nearest);
-    if (distance <= reach) break;
+    if (distance <= reach + rounding) break;
     const Vec2 n = nearest / distance;
     double least = dot(n, hull.front());
     for (const Vec2& corner : hull) least = std::min(least, dot(n, corner));

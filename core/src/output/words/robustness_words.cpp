@@ -101,12 +101,18 @@ std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robu
     greatest = std::max(greatest, ranges[i].greatest);
     change = std::max({change, loads.changes.by[i], springs.loads[i] - ranges[i].least});
   }
-  return slack
-             ? say("If {conditions}, one of equally stiff robots may go slack, and another may have "
-                   "to carry up to {load}.",
-                   {disturbance_as_clause(shown), load_in_words(greatest, units, Toward::up)})
-             : say("If {conditions}, the loads of equally stiff robots change by up to {load}.",
-                   {disturbance_as_clause(shown), load_in_words(change, units, Toward::up)});
+  if (slack) {
+    const std::string text =
+        say("If {conditions}, one of equally stiff robots may go slack, and another may have to carry "
+            "up to {load}.",
+            {disturbance_as_clause(shown), load_in_words(greatest, units, Toward::up)});
+    // The tilt of an uneven object is bounded while all robots carry (uncertainty.h).
+    return loads.changes.effect.tilt > 0
+               ? text + " " + say("It can then also tilt by more than was counted.")
+               : text;
+  }
+  return say("If {conditions}, the loads of equally stiff robots change by up to {load}.",
+             {disturbance_as_clause(shown), load_in_words(change, units, Toward::up)});
 }
 
 std::string uncertainty_for_capacity_in_words(const ModelLoads& loads, const ShownPlacement& of) {
