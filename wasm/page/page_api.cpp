@@ -125,7 +125,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_state() {
   std::optional<FailurePlan> spare =
       state.derived().plan_due ? std::nullopt : state.derived().spare;
   if (shown.capacity && !spare && state.derived().placement->settings.method != Method::balanced)
-    spare = plan_for_failures({*state.derived().placement, shown}, *shown.capacity);
+    spare = evenlift::plan_for_failures({*state.derived().placement, shown}, *shown.capacity);
   if (!shown.capacity && evenlift::has_capacities({*state.derived().placement, shown}))
     capacity = CapacityInJson{};
   if (shown.capacity)

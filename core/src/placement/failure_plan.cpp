@@ -74,9 +74,9 @@ class Placer {
 };
 
 // Robots at their places, under the given conditions.
-class Crew {
+class PlannedCrew {
  public:
-  Crew(const ShownPlacement& of, const std::vector<Team>& teams)
+  PlannedCrew(const ShownPlacement& of, const std::vector<Team>& teams)
       : of_(of),
         conditions_(disturbance_of(of.shown)),
         planned_(planned_loads(teams)),
@@ -192,7 +192,7 @@ FailurePlan plan_for_failures(const ShownPlacement& of, double capacity) {
     plan.tried = robots;
     if (teams.empty()) continue;
     bool upright = false;
-    const auto greatest = Crew(of, teams).greatest_of_all(capacity, upright);
+    const auto greatest = PlannedCrew(of, teams).greatest_of_all(capacity, upright);
     if (greatest && upright) return {true, false, robots, *greatest, robots};
     if (greatest && !plan.can_tip) plan = {false, true, robots, *greatest, robots};
     if (plan.can_tip && hopeless) break;

@@ -16,7 +16,7 @@ namespace evenlift {
 namespace {
 
 constexpr double most = std::numeric_limits<double>::max();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 // The greatest sum of |v . a| over the arms a, for any unit vector v. It is the distance of the
 // farthest corner of the arms' zonotope, the set of all sums of s a with -1 <= s <= 1. The corners
@@ -124,7 +124,7 @@ DisturbanceEffect effect_on(const Points& robots, const Vec2& centre, double dia
   effect.reach_of_loads = disturbance.com_radius + height * (k1 + k2);
   if (disturbance.uneven > 0)
     effect.uneven =
-        disturbance.give ? std::min(disturbance.uneven / *disturbance.give, most) : infinity;
+        disturbance.give ? std::min(disturbance.uneven / *disturbance.give, most) : unbounded;
   effect.kept = 1 / across;
   return effect;
 }
