@@ -184,9 +184,11 @@ void cmd_check(const Arguments& arguments) {
 
   std::vector<Marked> all;
   {
-    const Waiting waiting("marking the links");
-    for (const HandedIn& link : links)
+    Waiting waiting("marking the links", links.size(), "link");
+    for (const HandedIn& link : links) {
+      waiting.begin();
       all.push_back(mark(link, lesson, link.number.value_or(number)));
+    }
   }
   const bool alone = all.size() == 1 && links[0].name.empty();
   if (alone && !all[0].problem.empty() && !csv && !json)

@@ -140,9 +140,8 @@ std::string for_people(const ShownPlacement& of, bool with_candidates,
     tables += team_table(of, shown) + "\n";
     greatest = shown.greatest;
   }
-  if (!placement.search_ended && !placement.teams.empty())
-    sentences +=
-        "The outline is so large that the search was cut short: there may be better places.\n";
+  const std::string cut_short = cut_short_in_words(placement);
+  if (!cut_short.empty()) sentences += cut_short + "\n";
   if (capacity) {
     // The first line names the overloaded robots.
     const std::vector<std::size_t> overloaded = overloaded_robots(of, greatest);
@@ -200,11 +199,13 @@ struct Outputs {
 Outputs make_outputs(const Input& input, const PlaceOptions& options,
                      const std::optional<PosesAsked>& poses, const RobustnessAsked& asked,
                      const std::vector<Condition>& conditions) {
-  const Waiting waiting("placing the robots");
+  Waiting waiting("placing the robots");
   const Result<Placement> placement = place(input.document);
   if (!placement) throw options.input.settings.failure(input.source, placement.error());
   const ShownPlacement shown(*placement, input.document.shown);
+  waiting.now("counting the robots needed");
   const std::optional<CapacityInJson> capacity = capacity_in_json(shown);
+  waiting.now("examining what may happen");
   const std::vector<Requirement> requirements = check_conditions(shown, conditions);
   Outputs outputs;
   if (options.svg) outputs.svg = picture(*placement, input.document, options.candidates);

@@ -138,9 +138,11 @@ void place_all(const PlaceOptions& options) {
   const InputShapes input = options.input.read_all();
   std::vector<ShapeResult> results;
   {
-    const Waiting waiting("placing the robots");
-    for (const ImportedShape& shape : input.shapes)
+    Waiting waiting("placing the robots", input.shapes.size(), "shape");
+    for (const ImportedShape& shape : input.shapes) {
+      waiting.begin();
       results.push_back(result_of(results.size() + 1, shape, options, conditions));
+    }
   }
   std::string lines;
   for (const ShapeResult& result : results) lines += result.json;

@@ -24,20 +24,6 @@ bool on_terminal() {
 #endif
 }
 
-#ifndef __EMSCRIPTEN__
-void draw_seconds(const std::string& what, const std::future<void>& over) {
-  using namespace std::chrono;
-  const steady_clock::time_point start = steady_clock::now();
-  bool drawn = false;
-  while (over.wait_for(milliseconds(500)) != std::future_status::ready) {
-    const duration<double> seconds = steady_clock::now() - start;
-    std::fprintf(stderr, "%s%s: %.1f s", erase_line, what.c_str(), seconds.count());
-    drawn = true;
-  }
-  if (drawn) std::fputs(erase_line, stderr);
-}
-#endif
-
 }  // namespace
 
 Progress::Progress(std::size_t total) : shown_(on_terminal()), total_(total) { draw(""); }
@@ -65,19 +51,48 @@ void Progress::draw(const std::string& name) const {
   std::fflush(stderr);
 }
 
-#ifdef __EMSCRIPTEN__
-Waiting::Waiting(std::string) {}  // it has no threads
-#else
-Waiting::Waiting(std::string what) {
-  if (!on_terminal()) return;
+Waiting::Waiting(const char* what, std::size_t total, const char* of_one)
+    : what_(what), total_(total), of_one_(of_one) {
+#ifndef __EMSCRIPTEN__  // which has no threads
+  const bool draws = on_terminal();
   try {
-    drawing_ = std::async(std::launch::async, draw_seconds, std::move(what), over_.get_future());
+    drawing_ = std::async(std::launch::async, [this, draws, over = over_.get_future()] {
+      draws ? draw(over) : tell_once(over);
+    });
   } catch (const std::system_error&) {
     // Without another thread, the work continues without the line.
   }
-}
 #endif
+}
 
 Waiting::~Waiting() { over_.set_value(); }
+
+std::string Waiting::text(double seconds) const {
+  char time[32];
+  std::snprintf(time, sizeof time, ": %.1f s", seconds);
+  std::string text = what_.load();
+  if (total_ > 0)
+    text += std::string(", ") + of_one_ + " " + std::to_string(begun_) + " of " +
+            std::to_string(total_);
+  return text + time;
+}
+
+void Waiting::draw(const std::future<void>& over) const {
+  using namespace std::chrono;
+  const steady_clock::time_point start = steady_clock::now();
+  bool drawn = false;
+  while (over.wait_for(milliseconds(500)) != std::future_status::ready) {
+    const duration<double> seconds = steady_clock::now() - start;
+    std::fprintf(stderr, "%s%s", erase_line, text(seconds.count()).c_str());
+    drawn = true;
+  }
+  if (drawn) std::fputs(erase_line, stderr);
+}
+
+void Waiting::tell_once(const std::future<void>& over) const {
+  constexpr std::chrono::seconds patience(10);
+  if (over.wait_for(patience) == std::future_status::ready) return;
+  std::fprintf(stderr, "evenlift: %s so far\n", text(10).c_str());
+}
 
 }  // namespace evenlift::native

@@ -10,6 +10,7 @@
 #include "kit/check_placement.h"
 #include "kit/polygons.h"
 #include "kit/solid.h"
+#include "polygon/area_in_hull.h"
 
 using namespace evenlift;
 using evenlift::testing::polygon;
@@ -114,4 +115,35 @@ TEST_CASE("the force that tips falls with the distance and grows with the weight
     ++beyond;
   }
   CHECK(beyond == 500);
+}
+
+TEST_CASE("the area in a hull of many sides is that of clipping", "[stability]") {
+  std::mt19937_64 rng(5);
+  std::uniform_real_distribution<double> part;
+  for (const Family family : {Family::convex, Family::star, Family::comb, Family::random}) {
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+      const Points ring = *generate(family, 40 + 4 * static_cast<std::uint32_t>(seed), seed);
+      const Box box = bounding_box(ring);
+      Points points;
+      for (int i = 0; i < 60; ++i)
+        points.push_back(box.low + Vec2(part(rng) * box.size().x, part(rng) * box.size().y));
+      if (seed % 3 == 0) points.insert(points.end(), ring.begin(), ring.end());
+      const Points hull = convex_hull(points);
+      const PolygonWithHoles object = solid(Polygon::create(ring).value());
+      const double clipped = coverage(object, hull) * object.area();
+      INFO(static_cast<int>(family) << ", " << seed);
+      CHECK(std::fabs(doubled_area_in_hull(object.boundary(), hull)) / 2 ==
+            Approx(clipped).epsilon(1e-12).margin(1e-12 * object.area()));
+    }
+  }
+}
+
+TEST_CASE("thousands of robots are covered as by few steps", "[stability]") {
+  // Every second corner of a regular polygon: known exactly.
+  const Points ring = *generate(Family::regular, 4000, 1);
+  Points hull;
+  for (std::size_t i = 0; i < ring.size(); i += 2) hull.push_back(ring[i]);
+  const double half = std::acos(-1.0) / 2000;
+  CHECK(coverage(solid(Polygon::create(ring).value()), convex_hull(hull)) ==
+        Approx(std::sin(2 * half) / (2 * std::sin(half))).epsilon(1e-9));
 }

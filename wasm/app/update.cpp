@@ -112,7 +112,7 @@ struct Applier {
       show(state,
            {Notice::Kind::problem,
             "The search for better places stopped: a part of the page could not be loaded."});
-    state.given.found = {c.number, std::move(c.robots), c.ended};
+    state.given.found = {c.number, std::move(c.robots), c.ended, c.cut_short};
   }
   void operator()(TakeChoice& c) const { state.given.chosen = {c.number, std::move(c.choice)}; }
   void operator()(const Undo&) const { undo(state); }

@@ -22,7 +22,7 @@ std::string speak(const RequestMembers& members);
 
 // polygon in the thesis's format, settings as lines `name=value`, robots (derive/robots_text.h)
 // from which to go on, or "". {"robots"}, also reported when better ones are found: the best ones,
-// empty if there are none. With a capacity, the number of robots needed if any one may fail
+// empty if there are none, and cut_short, whether a limit of work ended the search. With a capacity, the number of robots needed if any one may fail
 // (plan_text()). {"problem"} if a text is invalid.
 std::string search(const RequestMembers& members);
 

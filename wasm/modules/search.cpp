@@ -48,8 +48,8 @@ std::optional<Task> task_of(std::string_view text, std::string_view settings,
   return Task{std::move(problem), std::move(search)};
 }
 
-std::string found(std::string_view robots) {
-  return json::object({{"robots", json::text(robots)}});
+std::string found(std::string_view robots, bool cut_short = false) {
+  return json::object({{"robots", json::text(robots)}, {"cut_short", json::boolean(cut_short)}});
 }
 
 // The start, and then better robots until the search ends. Reports them at most ten times a second.
@@ -67,7 +67,8 @@ std::string search_to_its_end(Task& task) {
     }
     task.search = try_next_triple(task.problem, *std::move(task.search)).search;
   }
-  return found(task.search ? robots_text(task.search->robots) : "");
+  return found(task.search ? robots_text(task.search->robots) : "",
+               task.search && task.search->cut_short);
 }
 
 }  // namespace

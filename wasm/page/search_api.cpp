@@ -15,9 +15,10 @@ using namespace evenlift::view;
 
 extern "C" {
 
-// The robots, or their count, found by the search with this number, and whether it has ended.
+// The robots, or their count, found by the search with this number, and whether it has ended: 2 if a
+// limit of work ended it.
 EMSCRIPTEN_KEEPALIVE void page_take_robots(double number, const char* robots, int ended) {
-  carry_out({TakeRobots{static_cast<std::uint64_t>(number), robots, ended != 0}});
+  carry_out({TakeRobots{static_cast<std::uint64_t>(number), robots, ended != 0, ended == 2}});
 }
 
 // The search with this number cannot continue.

@@ -34,9 +34,11 @@ void draw_need(const Ui& ui) {
   const Derived& facts = ui.state.derived();
   const CapacityPlan* plan = facts.plan && !facts.plan_due ? &*facts.plan : nullptr;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  text_block(Face::label, ui.theme.second_text, need_in_words(ui.state));
-  const float four_lines = 4 * line_height(Face::label) + 6;
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + four_lines));
+  // The verdict names overloaded robots, unless one has failed.
+  text_block(Face::label, ui.theme.second_text,
+             need_in_words(ui.state, failing(ui.state) || !is_overloaded(ui.state)));
+  const float five_lines = 5 * line_height(Face::label) + 6;
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + five_lines));
   const Settings& now = settings(ui.state);
   Settings changed = now;
   if (plan && now.method == Method::balanced) changed.robots = plan->team_size;

@@ -55,6 +55,7 @@ Verdict of_placement(const AppState& state) {
   if (!if_uneven.empty()) detail += if_uneven + " ";
   detail += detail_in_words(now);
   for (const std::string& misfit : misfits_in_words(now)) detail += " " + misfit;
+  if (const std::string cut = cut_short_in_words(placement); !cut.empty()) detail += " " + cut;
   if (!placement.teams.empty() && !placement.goal_reached)
     detail += " " + say("So the goal to hold is not reached.");
   return {mood_of(judge(now, outlook.model, outlook.loads), placement), news.empty() ? loads : news,

@@ -93,6 +93,7 @@ struct TakeRobots {
   std::uint64_t number;
   std::optional<std::string> robots;
   bool ended = true;
+  bool cut_short = false;
 };
 
 // Reports the worker's choice for the document with this number (Given::Chosen).

@@ -121,6 +121,7 @@ struct Given {
     std::uint64_t number;
     std::optional<std::string> robots;
     bool ended;
+    bool cut_short = false;  // whether it ended by a limit of work
   };
   std::optional<Found> found;
   // The worker's choice for the document with this number (derive/elsewhere.h). The choice is empty

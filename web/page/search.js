@@ -27,7 +27,7 @@ export function createSearch(call) {
     };
     const progress = ({ robots }) => goesOn() && call("page_take_robots", number, robots, 0);
     await core.ask(request, { progress }).then(
-      ({ robots }) => tell("page_take_robots", number, robots, 1),
+      ({ robots, cut_short }) => tell("page_take_robots", number, robots, cut_short ? 2 : 1),
       () => tell("page_search_failed", number),
     );
   }

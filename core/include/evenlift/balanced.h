@@ -82,16 +82,22 @@ struct BalancedSearch {
                                      // swap, after most_rounds rounds, because it was cut short,
                                      // or because there are only two robots
   bool restarted = false;            // whether the search looked for a second start
-  std::uint64_t work = 0;            // the cost of the triples so far (see most_work)
-  bool cut_short = false;            // whether most_work ended the search
+  std::uint64_t work = 0;            // the cost of the swaps so far (see most_work)
+  std::uint64_t work_before_restart = 0;
+  bool cut_short = false;  // whether a limit of work ended the start or the search
 };
 inline constexpr std::uint32_t most_rounds = 8;
 
-// The limit on the work of a search if the boundary (PolygonWithHoles::boundary()) has more than
-// 1,000 vertices. Work is counted, not timed, so that the limit is the same on all platforms. A
+// The limit on the work of a search. Work is counted, not timed, so that the limit is the same on
+// all platforms. If the boundary (PolygonWithHoles::boundary()) has more than 1,000 vertices, a
 // completion (finding the even candidates about one point) counts 1, plus 1 for every 100 even
-// candidates about C.
+// candidates about C, up to `most_work`. Otherwise what is done is counted, up to `most_steps`, of
+// which a processor takes some fifty million in a second: 1 for each set that is compared, and
+// more for each of its keys that is computed (Rules::steps_of()). A second start counts, too. The start
+// has a limit of its own.
 inline constexpr std::uint64_t most_work = 150'000;
+inline constexpr std::uint64_t most_steps = 300'000'000;
+inline constexpr std::uint64_t most_start_steps = 60'000'000;
 
 // Starts a search with the set S_m of algorithm.md. If there is no S_m, robots with a size may
 // start with another set (algorithm.md, Robots with a size); otherwise the function returns

@@ -10,6 +10,7 @@
 // tau L; there, the tolerance is that rounding.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -36,6 +37,8 @@ int failures_carried(const Points& robots, const Vec2& centre, double diameter);
 // suffice, as with one team of two. O(m log m).
 int failures_steady(const Points& robots, const Vec2& centre, double diameter, double inside = 0);
 
+inline constexpr std::size_t most_robots_listed = 64;
+
 // The state of the object on the remaining robots.
 struct RestOfRobots {
   bool steady = false;
@@ -49,7 +52,8 @@ struct RestOfRobots {
   std::optional<double> greatest_by_plan;
   // The greatest loads by the models `springs` and `best` (load_models.h).
   double greatest_by_springs = 0, least_greatest = 0;
-  std::vector<double> springs;  // the loads by springs; 0 for the failed robot
+  std::vector<double> springs;  // the loads by springs; 0 for the failed robot. Empty for more than
+                                // most_robots_listed, since all failures would have m^2 loads
   // Whether the reach of the disturbance is at most the tipping distance, within tolerance.
   bool stays = true;
   // The greatest loads by springs within the disturbance (uncertainty.h), and the greatest of them;

@@ -42,9 +42,9 @@ struct Placement {
   Closure closure;
   bool goal_reached = false;  // there are robots and, with the goal `hold`, hold_clearly() is true
   Moved moved = {};           // the robots that the user moved by hand (moved.h)
-  // False while a search or swaps may still find better robots, and if most_work (balanced.h) cut a
-  // search short.
-  bool search_ended = true;
+  bool search_ended = true;   // false while a search or swaps may still find better robots
+  bool cut_short = false;  // whether a limit of work ended the search (most_work in balanced.h) or
+                           // the swaps (most_swap_steps in swaps.h)
 };
 
 // With `whole`, the search for balanced robots runs to its end. With `start`, only the set with
@@ -113,7 +113,7 @@ Result<std::vector<Candidate>> candidates_of(const Document& document);
 // The placement with its balanced robots replaced by these robots, which a search or the user has
 // chosen. The centroid of `robots` must be C. O(n log n) for up to most_robots.
 Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robots,
-                      bool search_ended);
+                      bool search_ended, bool cut_short = false);
 
 // A placement and how to show it, for functions that write words, pictures or files. Without `how`,
 // the defaults apply. A ShownPlacement refers to both arguments: pass it to functions, but do not

@@ -18,18 +18,18 @@ Points lifting_base(const Polygon& polygon, const std::vector<LiftingPoint>& poi
 
 // The share of the object in H, in [0, 1]: area(A and H) / area(A), where A is the polygon minus
 // its holes. It is 0 if H has no area. `hull` is H and must come from convex_hull. O(n h) for h
-// corners.
+// corners; if n h is above 2^18, O(n log h + h) unless the outline winds about H.
 double coverage(const PolygonWithHoles& object, const Points& hull);
 
 // Computes the coverage of hulls within one outer hull. Clipping the object by the outer hull first
 // often leaves few vertices.
 class CoverageWithin {
  public:
-  // `outer` must come from convex_hull and have an area. O(n h).
+  // `outer` must come from convex_hull and have an area. Costs as much as coverage().
   CoverageWithin(const PolygonWithHoles& object, const Points& outer);
 
-  // Returns the same as coverage(), up to rounding, for a hull within the outer one. O(n' h) for n'
-  // vertices of the part of the object within the outer hull.
+  // Returns the same as coverage(), up to rounding, for a hull within the outer one. Costs as much,
+  // for the n' vertices of the part of the object within the outer hull.
   double of(const Points& hull) const;
 
  private:

@@ -19,7 +19,9 @@
 // If the level is then below 3, the same search is made for t - 1 teams, and the best further
 // candidate is added to its result. If this choice is better, it replaces the t teams, and swaps
 // continue within the same 4 t rounds. So one more team never lowers the level, unless robots with
-// a size find no room for it.
+// a size find no room for it. All of this ends when the work exceeds most_swap_steps, without the
+// round under way. Work is counted, not timed, in steps as for balanced robots (most_steps in
+// balanced.h): for each choice, each of its coverages and each of its margins.
 #pragma once
 
 #include <cstddef>
@@ -39,6 +41,7 @@ class Stands;
 
 inline constexpr std::uint32_t most_swapped_teams = 32;
 inline constexpr std::uint64_t most_swaps = std::uint64_t{1} << 22;
+inline constexpr std::uint64_t most_swap_steps = 200'000'000;
 inline constexpr std::size_t most_candidates_for_pairs = 100;
 
 // The keys by which choices of teams are compared.
@@ -79,6 +82,7 @@ struct SwapHistory {
                                      // than most_swapped_teams
   std::vector<Swap> swaps;
   bool settled = false;     // whether the last round found nothing better
+  bool cut_short = false;   // whether most_swap_steps ended the search
   std::uint64_t tried = 0;  // the number of choices compared
 
   const std::vector<std::uint32_t>& taken() const {
@@ -110,10 +114,11 @@ std::optional<Swap> best_swap_of(const PolygonWithHoles& object, const Vec2& cen
 
 // The teams for these settings, as indices into `candidates`. The method must choose among
 // candidates. The teams are selected (selection.h) and, if the goal is to hold, swapped; in that
-// case check_swaps() must allow the swaps.
+// case check_swaps() must allow the swaps, and `cut_short` becomes SwapHistory::cut_short.
 std::vector<std::uint32_t> choose_candidates(const PolygonWithHoles& object, const Vec2& centre,
                                              const std::vector<Candidate>& candidates,
                                              const Settings& settings, std::size_t teams,
-                                             const Stands* stands = nullptr);
+                                             const Stands* stands = nullptr,
+                                             bool* cut_short = nullptr);
 
 }  // namespace evenlift

@@ -60,9 +60,11 @@ void Best::offer_three_more(const std::vector<LiftingPoint>& robots, const Lifti
 void Best::complete(const std::vector<LiftingPoint>& robots, std::size_t added,
                     std::uint32_t near_pairs) {
   // Adding robots never reduces the number of near pairs.
+  ++steps_;
   if (set_ && near_pairs > set_->near_pairs) return;
   for (const Candidate& candidate : pairs_to_complete(rules_, robots)) {
     const LiftingPoint &r1 = candidate.chord.r1, &r2 = candidate.chord.r2;
+    if (rules_.room()) steps_ += robots.size();
     // The two do not collide with each other.
     if (rules_.collides(robots, robots.size(), r1) || rules_.collides(robots, robots.size(), r2))
       continue;
@@ -72,7 +74,9 @@ void Best::complete(const std::vector<LiftingPoint>& robots, std::size_t added,
                                 rules_.near_pairs(offered_.robots, offered_.robots.size(), r2);
     offered_.robots.push_back(r2);
     offered_.begin(pairs);
-    if (set_ && !rules_.better(offered_, *set_)) continue;
+    const bool loses = set_ && !rules_.better(offered_, *set_);
+    steps_ += rules_.steps_of(offered_);
+    if (loses) continue;
     set_ = std::exchange(offered_, {});
     completed_ = true;
     kept_ = robots.size() - added;

@@ -42,6 +42,8 @@ class Best {
   // The number of robots that the best set had before two or three more completed it. In the set,
   // these robots come first.
   std::size_t kept() const { return kept_; }
+  // The work so far, in steps of most_steps (balanced.h).
+  std::uint64_t steps() const { return steps_; }
 
  private:
   // Offers the robots together with the ends of each even candidate that completes them, but skips
@@ -54,6 +56,7 @@ class Best {
   std::optional<RatedSet> set_;
   bool completed_ = false;
   std::size_t kept_ = 0;
+  std::uint64_t steps_ = 0;
   RatedSet offered_;  // a member so that its memory is reused
 };
 

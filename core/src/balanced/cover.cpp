@@ -39,6 +39,8 @@ class Cover::Sum {
     return std::fabs(doubled_area_) / 2;
   }
 
+  std::uint64_t comparisons() const { return visits_ * hull_.size; }
+
  private:
   // Smaller shares of H's area, and smaller distances as shares of its reach, are rounding.
   static constexpr double rounding = 1e-12;
@@ -65,6 +67,7 @@ class Cover::Sum {
 
   void visit(std::uint32_t i) {
     const EdgeTree::Node& node = cover_.tree_.node(i);
+    ++visits_;
     switch (side_of(node.box)) {
       case Side::inside:
         doubled_area_ += cover_.doubled_areas_[node.end] - cover_.doubled_areas_[node.begin];
@@ -78,6 +81,7 @@ class Cover::Sum {
       visit(node.left);
       return visit(node.right);
     }
+    visits_ += node.end - node.begin;
     for (std::uint32_t edge = node.begin; edge < node.end; ++edge)
       add_edge(vertex(edge), end_of(edge));
   }
@@ -135,6 +139,7 @@ class Cover::Sum {
   double doubled_area_ = 0;
   Vec2 last_;  // the end of the last part outside, and the sector before it
   double before_last_ = 0;
+  std::uint64_t visits_ = 0;  // of nodes and edges
 };
 
 Cover::Cover(const PolygonWithHoles& object, const Vec2& centre)
@@ -143,10 +148,12 @@ Cover::Cover(const PolygonWithHoles& object, const Vec2& centre)
     doubled_areas_.push_back(doubled_areas_.back() + cross(edge.start - centre, edge.end - centre));
 }
 
-double Cover::of(const SmallHull& hull) const {
+double Cover::of(const SmallHull& hull, std::uint64_t& comparisons) const {
   Sum sum(*this, hull);
   if (!sum.is_sound()) return 0;
-  return std::clamp(sum.area() / object_.area(), 0.0, 1.0);
+  const double area = sum.area();
+  comparisons += sum.comparisons();
+  return std::clamp(area / object_.area(), 0.0, 1.0);
 }
 
 }  // namespace evenlift::balanced

@@ -65,7 +65,9 @@ void follow(const BalancedProblem& problem, BalancedHistory& history) {
     const Rules& rules = problem.rules();
     const bool restarts = may_restart && search.restarted && !search.finished;
     if (step.swap && !restarts) history.moves.push_back(move_of(rules, step, before, round));
-    if (restarts) note_start(*balanced::second_start(rules, last_before(step, before)), history);
+    if (!restarts) continue;
+    std::uint64_t work = search.work_before_restart;
+    note_start(*balanced::second_start(rules, last_before(step, before), work), history);
   }
   history.settled = !search.cut_short &&
                     (history.moves.empty() || history.moves.back().round + 1 < history.rounds);

@@ -29,6 +29,7 @@ struct RatedSet {
   std::optional<std::uint32_t> level;
   std::optional<SmallHull> hull;
   std::optional<double> coverage, spread;
+  std::uint64_t comparisons = 0;  // that the coverage took (cover.h)
   std::optional<std::vector<double>> places;
 
   // Clears the keys after `robots` has changed. `pairs` is the number of near pairs of the new
@@ -48,9 +49,13 @@ class Rules {
   const EvenChords& chords() const { return chords_; }
   const Outline& outline() const { return outline_; }
   const std::vector<LiftingPoint>& stands() const { return stands_; }
-  // The cost of a completion in units of most_work (balanced.h). It is 0 for outlines on which the
-  // work of a search has no limit.
+  // The cost of a completion in units of most_work (balanced.h). It is 0 for outlines on which steps
+  // are counted instead.
   std::uint64_t work_of_completion() const { return work_of_completion_; }
+  // The limit on the work of a search: most_work, or most_steps.
+  std::uint64_t work_limit() const { return work_of_completion_ > 0 ? most_work : most_steps; }
+  // The steps that it took to compute those keys of a set that are known. O(1).
+  std::uint64_t steps_of(const RatedSet& set) const;
   const std::vector<Triple>& triples() const { return triples_; }
 
   // The places where robots can stand; null if robots are points that may stand anywhere.

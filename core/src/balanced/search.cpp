@@ -31,19 +31,23 @@ std::size_t steps_of_completion(const Rules& rules) {
 
 BalancedSearch restarted(const Rules& rules, BalancedSearch search) {
   search.restarted = true;
-  const auto second = balanced::second_start(rules, search.robots);
-  if (!second) return search;
+  search.work_before_restart = search.work;
+  const auto second = balanced::second_start(rules, search.robots, search.work);
+  const bool spent = search.work >= rules.work_limit();
+  search.cut_short |= spent;
+  if (!second || spent) return search;
   search.robots = second->back()->set.robots;
   search.round = 0;
   search.finished = rules.robots() < 3;
   return search;
 }
 
-BalancedSearch ended(const Rules& rules, BalancedSearch search) {
-  search.work += rules.stands().size() * rules.work_of_completion();
-  search.cut_short = rules.work_of_completion() > 0 && search.work >= most_work;
-  search.finished = search.cut_short;
-  if (search.cut_short || search.next < rules.triples().size()) return search;
+BalancedSearch ended(const Rules& rules, BalancedSearch search, std::uint64_t steps) {
+  search.work +=
+      rules.work_of_completion() > 0 ? rules.stands().size() * rules.work_of_completion() : steps;
+  search.finished = search.work >= rules.work_limit();
+  search.cut_short |= search.finished;
+  if (search.finished || search.next < rules.triples().size()) return search;
   ++search.round;
   search.finished = !search.changed || search.round == most_rounds;
   search.next = 0;
@@ -73,9 +77,9 @@ bool is_better(const BalancedProblem& problem, const std::vector<LiftingPoint>& 
 
 std::optional<BalancedSearch> start_balanced(const BalancedProblem& problem) {
   const Rules& rules = problem.rules();
-  auto sets = balanced::start_sets(rules);
-  if (!sets.back()) return std::nullopt;
   BalancedSearch search;
+  auto sets = balanced::start_sets(rules, &search.cut_short);
+  if (!sets.back()) return std::nullopt;
   search.robots = std::move(sets.back()->set.robots);
   search.finished = rules.robots() < 3;
   return search;
@@ -118,7 +122,7 @@ BalancedStep try_next_triple(const Rules& rules, BalancedSearch search) {
     search.robots = rules.in_order(*best.set()).robots;
     search.changed = true;
   }
-  return {ended(rules, std::move(search)), swap};
+  return {ended(rules, std::move(search), best.steps()), swap};
 }
 
 BalancedSearch finish_search(const Rules& rules, BalancedSearch search) {

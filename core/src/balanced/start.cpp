@@ -9,36 +9,50 @@
 namespace evenlift::balanced {
 namespace {
 
+bool is_spent(const Rules& rules, std::uint64_t steps) {
+  return rules.work_of_completion() == 0 && steps >= most_start_steps;
+}
+
 // The trial points from which S_4 begins.
 enum class Begin { as_usual, at_every_stand };
 
-std::optional<StartSet> next_set(const Rules& rules, const StartSets& sets, Begin begin) {
+std::optional<StartSet> next_set(const Rules& rules, const StartSets& sets, Begin begin,
+                                 std::uint64_t& steps) {
   const std::size_t number = sets.size();
   Best best(rules);
+  // Once the steps are spent, any set will do.
+  const auto goes_on = [&] { return !best.set() || !is_spent(rules, steps + best.steps()); };
   if (sets[number - 2]) best.offer_two_more(sets[number - 2]->set.robots);
-  if (number >= 3 && sets[number - 3]) best.offer_three_more(sets[number - 3]->set.robots);
+  if (number >= 3 && sets[number - 3] && goes_on())
+    best.offer_three_more(sets[number - 3]->set.robots);
   const bool at_stands = rules.robots() == 4 || begin == Begin::at_every_stand;
   if (number == 4 && (at_stands || !best.set()))
-    for (const LiftingPoint& stand : rules.stands()) best.offer_three_more({stand});
+    for (const LiftingPoint& stand : rules.stands())
+      if (goes_on()) best.offer_three_more({stand});
+  steps += best.steps();
   if (!best.set()) return std::nullopt;
   const std::vector<LiftingPoint>& robots = best.set()->robots;
   const auto kept = robots.begin() + static_cast<std::ptrdiff_t>(best.kept());
   return StartSet{rules.in_order(*best.set()), {robots.begin(), kept}, {kept, robots.end()}};
 }
 
-StartSets chain(const Rules& rules, Begin begin) {
+StartSets chain(const Rules& rules, Begin begin, std::uint64_t& steps) {
   StartSets sets{StartSet{}, std::nullopt};
-  while (sets.size() <= rules.robots()) sets.push_back(next_set(rules, sets, begin));
+  while (sets.size() <= rules.robots()) sets.push_back(next_set(rules, sets, begin, steps));
   return sets;
 }
 
-// The result of the swaps from a start.
-RatedSet end_of(const Rules& rules, const RatedSet& start) {
+// The result of the swaps from a start. Where steps are counted, they add to `work`.
+RatedSet end_of(const Rules& rules, const RatedSet& start, std::uint64_t& work) {
+  const bool counts_steps = rules.work_of_completion() == 0;
   BalancedSearch search;
   search.robots = rules.in_order(start).robots;
   search.finished = rules.robots() < 3;
   search.restarted = true;
-  return rules.rated(finish_search(rules, std::move(search)).robots);
+  if (counts_steps) search.work = work;
+  const BalancedSearch end = finish_search(rules, std::move(search));
+  if (counts_steps) work = end.work;
+  return rules.rated(end.robots);
 }
 
 StartSet whole(const Rules& rules, const RatedSet& set) {
@@ -46,10 +60,11 @@ StartSet whole(const Rules& rules, const RatedSet& set) {
   return {ordered, {}, ordered.robots, true};
 }
 
-std::optional<StartSets> start_that_leads_farther(const Rules& rules, RatedSet now) {
+std::optional<StartSets> start_that_leads_farther(const Rules& rules, RatedSet now,
+                                                  std::uint64_t& work) {
   std::optional<StartSets> start;
   for (const RatedSet& set : usable_sets(rules, most_starts)) {
-    RatedSet end = end_of(rules, set);
+    RatedSet end = end_of(rules, set, work);
     if (!rules.better(end, now)) continue;
     now = std::move(end);
     start = StartSets{whole(rules, set)};
@@ -59,18 +74,23 @@ std::optional<StartSets> start_that_leads_farther(const Rules& rules, RatedSet n
 
 }  // namespace
 
-StartSets start_sets(const Rules& rules) {
-  StartSets sets = chain(rules, Begin::as_usual);
+StartSets start_sets(const Rules& rules, bool* cut_short) {
+  std::uint64_t steps = 0;
+  StartSets sets = chain(rules, Begin::as_usual, steps);
+  if (cut_short) *cut_short = is_spent(rules, steps);
   if (rules.room() && !sets.back())
     for (const RatedSet& set : usable_sets(rules, 1)) sets.back() = whole(rules, set);
   return sets;
 }
 
-std::optional<StartSets> second_start(const Rules& rules, const std::vector<LiftingPoint>& robots) {
+std::optional<StartSets> second_start(const Rules& rules, const std::vector<LiftingPoint>& robots,
+                                      std::uint64_t& work) {
   RatedSet now = rules.rated(robots);
-  if (rules.room()) return start_that_leads_farther(rules, std::move(now));
+  if (rules.room()) return start_that_leads_farther(rules, std::move(now), work);
   if (rules.robots() <= 4 || !rules.misses_hold(now)) return std::nullopt;
-  StartSets sets = chain(rules, Begin::at_every_stand);
+  std::uint64_t steps = 0;
+  StartSets sets = chain(rules, Begin::at_every_stand, steps);
+  if (rules.work_of_completion() == 0) work += steps;
   if (!sets.back() || !rules.holds_better(sets.back()->set, now)) return std::nullopt;
   return sets;
 }

@@ -20,10 +20,13 @@ struct StartSet {
 // entry is empty if its set does not exist. If S_m does not exist and robots cannot stand
 // everywhere, the best set on usable intervals (usable_sets.h) takes the place of S_m.
 using StartSets = std::vector<std::optional<StartSet>>;
-StartSets start_sets(const Rules& rules);
+// `cut_short` becomes whether most_start_steps (balanced.h) are spent; the remaining sets are then
+// chosen among few.
+StartSets start_sets(const Rules& rules, bool* cut_short = nullptr);
 
 // The start from which the search begins again after it ended with `now`; nothing if no better
-// start is found.
+// start is found. If steps are counted (most_steps in balanced.h), those that it takes add to
+// `work`; if this reaches the limit, the result is incomplete.
 //   - If robots have a size or there are no-go parts, the swaps are tried from each of the best
 //     sets on usable intervals, at most most_starts of them. If the best result is better than
 //     `now`, the returned list contains only the set that leads to it.
@@ -32,6 +35,7 @@ StartSets start_sets(const Rules& rules);
 //     point and three more robots. The new sets are returned if S_m has a higher level than `now`.
 //     This helps with regular polygons, where the first start is symmetrical about C.
 inline constexpr std::size_t most_starts = 6;
-std::optional<StartSets> second_start(const Rules& rules, const std::vector<LiftingPoint>& now);
+std::optional<StartSets> second_start(const Rules& rules, const std::vector<LiftingPoint>& now,
+                                      std::uint64_t& work);
 
 }  // namespace evenlift::balanced

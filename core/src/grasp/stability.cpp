@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include "evenlift/tolerance.h"
+#include "polygon/area_in_hull.h"
 #include "polygon/clip.h"
 
 namespace evenlift {
@@ -42,8 +45,20 @@ Points part_within(Points ring, const Points& hull, const Vec2& origin) {
   return ring;
 }
 
-double share_of(double area, const Points& part) {
-  return std::clamp(std::fabs(signed_area(part)) / area, 0.0, 1.0);
+double share_of(double area, double part) { return std::clamp(std::fabs(part) / area, 0.0, 1.0); }
+
+// Clipping takes n h steps.
+bool is_slow_to_clip(const Points& ring, const Points& hull) {
+  constexpr std::size_t many = std::size_t{1} << 18;
+  return ring.size() * hull.size() > many;
+}
+
+// The area of the part of a ring, relative to `origin`, within a hull in absolute coordinates.
+double area_within(const Points& ring, const Points& hull, const Vec2& origin) {
+  if (!is_slow_to_clip(ring, hull)) return signed_area(part_within(ring, hull, origin));
+  Points relative;
+  for (const Vec2& corner : hull) relative.push_back(corner - origin);
+  return doubled_area_in_hull(ring, relative) / 2;
 }
 
 }  // namespace
@@ -55,16 +70,16 @@ Points lifting_base(const Polygon& polygon, const std::vector<LiftingPoint>& poi
 double coverage(const PolygonWithHoles& object, const Points& hull) {
   if (hull.size() < 3) return 0;
   const Vec2& origin = hull.front();
-  return share_of(object.area(), part_within(relative_to(origin, object), hull, origin));
+  return share_of(object.area(), area_within(relative_to(origin, object), hull, origin));
 }
 
 CoverageWithin::CoverageWithin(const PolygonWithHoles& object, const Points& outer)
-    : origin_(outer.front()),
-      part_(part_within(relative_to(origin_, object), outer, origin_)),
-      area_(object.area()) {}
+    : origin_(outer.front()), part_(relative_to(origin_, object)), area_(object.area()) {
+  if (!is_slow_to_clip(part_, outer)) part_ = part_within(std::move(part_), outer, origin_);
+}
 
 double CoverageWithin::of(const Points& hull) const {
-  return hull.size() < 3 ? 0 : share_of(area_, part_within(part_, hull, origin_));
+  return hull.size() < 3 ? 0 : share_of(area_, area_within(part_, hull, origin_));
 }
 
 double tipping_force(const Points& hull, const Vec2& centre, double weight, const Vec2& q,

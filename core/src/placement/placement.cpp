@@ -67,7 +67,8 @@ void place_balanced(Placement& placement, Effort effort) {
   if (!search) return;
   if (effort == Effort::whole) search = finish_search(problem, *std::move(search));
   placement.teams = {team_of(placement, search->robots)};
-  placement.search_ended = search->finished && !search->cut_short;
+  placement.search_ended = search->finished;
+  placement.cut_short = search->cut_short;
 }
 
 // The supports share the weight like springs: their loads are not planned.
@@ -107,8 +108,9 @@ std::optional<InputError> choose_teams(Placement& placement, Effort effort) {
     case Method::area:
     case Method::circle:
     case Method::distance:
-      placement.team_candidates = choose_candidates(placement.object, centre, placement.candidates,
-                                                    settings, teams, placement.stands.get());
+      placement.team_candidates =
+          choose_candidates(placement.object, centre, placement.candidates, settings, teams,
+                            placement.stands.get(), &placement.cut_short);
       chords = chords_of(placement.candidates, placement.team_candidates);
       break;
     case Method::distributed:
@@ -292,9 +294,10 @@ Result<Document> with_even_supports(const Document& document) {
 }
 
 Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robots,
-                      bool search_ended) {
+                      bool search_ended, bool cut_short) {
   placement.teams = {team_of(placement, robots)};
   placement.search_ended = search_ended;
+  placement.cut_short = cut_short;
   placement.moved = {};
   describe_grasp(placement);
   return placement;

@@ -103,7 +103,7 @@ std::optional<RestOfRobots> Crew::without(std::size_t robot) const {
                                                : springs->loads);
     rest.greatest_end = *std::max_element(rest.ends.begin(), rest.ends.end());
   }
-  rest.springs = with_failed(springs->loads);
+  if (positions_.size() <= most_robots_listed) rest.springs = with_failed(springs->loads);
   return rest;
 }
 

@@ -70,7 +70,7 @@ std::uint32_t Choices::level_of(const std::optional<double>& margin) const {
 
 HoldKeys Choices::keys_of(const Part& part) const {
   return {level_of(margins_.of(contact_points(stands_, part.robots))),
-          cover_.of(balanced::small_hull(part.robots, centre_)), part.ratios};
+          cover_.of(balanced::small_hull(part.robots, centre_), comparisons_), part.ratios};
 }
 
 void Choices::set_parts(std::vector<Part> parts) { staying_ = std::move(parts); }
@@ -84,14 +84,15 @@ const std::vector<LiftingPoint>& Choices::robots_of(const Trial& trial) const {
 Trial Choices::trial(std::uint32_t candidate, std::uint32_t other) const {
   constexpr double rounding = 1 + 1e-12;
   Trial trial{candidate, other};
+  steps_ += 4 + robots_of(trial).size();
   trial.coverage = rounding * balanced::small_hull(robots_of(trial), centre_).area / object_.area();
   return trial;
 }
 
 void Choices::sharpen(Trial& trial) const {
   const balanced::SmallHull hull = balanced::small_hull(robots_of(trial), centre_);
-  trial.coverage =
-      trial.sharpness == 0 ? std::min(trial.coverage, coarse_cover_.most(hull)) : cover_.of(hull);
+  trial.coverage = trial.sharpness == 0 ? std::min(trial.coverage, coarse_cover_.most(hull))
+                                        : cover_.of(hull, comparisons_);
   ++trial.sharpness;
 }
 
@@ -119,6 +120,7 @@ void Choices::know(const Wrench& direction) {
 bool Choices::reaches(const Trial& trial, std::uint32_t level) {
   const std::vector<Wrench> wrenches =
       margins_.wrenches_of(contact_points(stands_, robots_of(trial)));
+  steps_ += 20 * wrenches.size();
   if (wrenches.empty()) return false;
   const WeakestDirection weakest = weakest_direction(wrenches);
   if (level_of(weakest.margin) >= level) return true;

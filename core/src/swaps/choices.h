@@ -64,6 +64,12 @@ class Choices {
   // Whether the margin reaches the level. If not, the direction of the weakest hold becomes known.
   bool reaches(const Trial& trial, std::uint32_t level);
 
+  // Whether the work so far exceeds most_swap_steps (swaps.h).
+  bool is_spent() const {
+    constexpr std::uint64_t comparisons_in_a_step = 3;
+    return steps_ + comparisons_ / comparisons_in_a_step > most_swap_steps;
+  }
+
   double ratios(const Trial& trial) const {
     return part(trial.candidate).ratios + part(trial.other).ratios;
   }
@@ -88,6 +94,7 @@ class Choices {
   std::vector<Part> staying_;                 // parts that stay
   std::vector<Wrench> directions_;            // to test for weakness; the last useful one is first
   mutable std::vector<LiftingPoint> robots_;  // reused by all trials
+  mutable std::uint64_t steps_ = 0, comparisons_ = 0;  // of coverages (cover.h)
 };
 
 }  // namespace evenlift::swaps

@@ -54,6 +54,7 @@ class Round {
   std::optional<Better> run() {
     for (std::uint32_t level = best_level; level + 1 > now_.level; --level) {
       const std::vector<std::uint32_t> found = best_by_coverage(level);
+      if (choices_.is_spent()) break;
       if (!found.empty()) return best_by_ratios(found, level);
       if (level == 0) break;
     }
@@ -90,7 +91,7 @@ class Round {
     double least = level == now_.level ? now_.coverage - coverage_tie : -1;
     ByCoverage queue(trials_, possible(level, least));
     std::vector<std::uint32_t> found;
-    while (!queue.empty() && trials_[queue.first()].coverage >= least) {
+    while (!queue.empty() && trials_[queue.first()].coverage >= least && !choices_.is_spent()) {
       Trial& trial = trials_[queue.first()];
       // Above the present level, no coverage is too small until a trial is found, so the margin is
       // tested first.

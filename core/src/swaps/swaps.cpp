@@ -35,7 +35,7 @@ std::vector<Trial> trials_with_others(const Choices& choices,
   std::vector<char> is_taken(choices.size());
   for (const std::uint32_t candidate : taken) is_taken[candidate] = 1;
   std::vector<Trial> trials;
-  for (std::uint32_t candidate = 0; candidate < choices.size(); ++candidate)
+  for (std::uint32_t candidate = 0; candidate < choices.size() && !choices.is_spent(); ++candidate)
     for (std::uint32_t part = 0; is_taken[candidate] == 0 && part < choices.parts(); ++part)
       if (choices.fit(candidate, choices.size() + part))
         trials.push_back(choices.trial(candidate, choices.size() + part));
@@ -53,7 +53,9 @@ class Swapper {
     if (taken_.size() == 2 && choices_.size() <= most_candidates_for_pairs) try_pairs();
     make_swaps();
     // One team fewer may hold where these do not.
-    if (keys_.level < best_level && taken_.size() >= 2 && try_one_more()) make_swaps();
+    if (keys_.level < best_level && taken_.size() >= 2 && !choices_.is_spent() && try_one_more())
+      make_swaps();
+    history_.cut_short = choices_.is_spent();
     return std::move(history_);
   }
 
@@ -61,8 +63,9 @@ class Swapper {
   void make_swaps() {
     const std::size_t most_rounds = 4 * taken_.size();
     history_.settled = false;
-    while (!history_.settled && rounds_ < most_rounds && history_.tried <= most_swaps) {
-      history_.settled = !try_swaps();
+    while (!history_.settled && rounds_ < most_rounds && history_.tried <= most_swaps &&
+           !choices_.is_spent()) {
+      history_.settled = !try_swaps() && !choices_.is_spent();
       ++rounds_;
     }
   }
@@ -200,14 +203,15 @@ std::optional<Swap> best_swap_of(const PolygonWithHoles& object, const Vec2& cen
 std::vector<std::uint32_t> choose_candidates(const PolygonWithHoles& object, const Vec2& centre,
                                              const std::vector<Candidate>& candidates,
                                              const Settings& settings, std::size_t teams,
-                                             const Stands* stands) {
+                                             const Stands* stands, bool* cut_short) {
   std::vector<std::uint32_t> taken =
       select_teams(object, centre, candidates, *metric_of(settings.method), teams,
                    first_team(settings.positions), stands);
   if (!swaps_teams(settings)) return taken;
-  return swap_teams(object, centre, candidates, std::move(taken),
-                    hold_requirements(object, centre, settings), stands)
-      .taken();
+  const SwapHistory history = swap_teams(object, centre, candidates, std::move(taken),
+                                         hold_requirements(object, centre, settings), stands);
+  if (cut_short) *cut_short = history.cut_short;
+  return history.taken();
 }
 
 }  // namespace evenlift

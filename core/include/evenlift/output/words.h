@@ -133,6 +133,10 @@ std::string outline_in_words(const PolygonWithHoles& object);
 // The text is empty if all teams are placed, or if the search has found no team yet.
 std::string shortage_in_words(const Placement& placement);
 
+// Says that a limit of work ended the search: "The search was cut short by its limit of work: there
+// may be better places." The text is empty if it was not.
+std::string cut_short_in_words(const Placement& placement);
+
 // Describes the coverage: "81 % of the object can be pressed down on without tipping it." The text
 // is empty if there are no teams, or if the object falls.
 std::string coverage_in_words(const Placement& placement);

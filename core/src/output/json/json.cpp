@@ -255,8 +255,9 @@ std::string placement_json(const ShownPlacement& of, bool with_candidates,
   members.push_back({"stands", json::boolean(placement.loads.has_value())});
   members.push_back({"verdict", verdict_json(judge(of))});
   if (given) add_misfits(members, placement);
-  if (settings.method == Method::balanced)
-    members.push_back({"search_ended", json::boolean(placement.search_ended)});
+  if (settings.method == Method::balanced || placement.cut_short)
+    members.push_back(
+        {"search_ended", json::boolean(placement.search_ended && !placement.cut_short)});
   json::add_settings(members, asked, &SettingRow::in_result, Setting::goal, Setting::failed);
   add_asked(members, settings, of.shown.overlays);
   add_moved(members, placement.moved);

@@ -14,18 +14,19 @@ std::string failure(std::size_t robot, const std::optional<RestOfRobots>& rest,
                     const std::optional<bool>& overloads, bool with_disturbance) {
   const auto if_carried = [&](const std::string& value) { return rest ? value : "null"; };
   const RestOfRobots known = rest.value_or(RestOfRobots{});
-  std::vector<Member> members = {{"robot", std::to_string(robot)},
-                                 {"carried", boolean(rest.has_value())},
-                                 {"steady", boolean(known.steady)},
-                                 {"clear", boolean(known.clear)},
-                                 {"com_margin", if_carried(number(known.tipping_distance))},
-                                 {"coverage", if_carried(number(known.coverage))},
-                                 {"form_closure", if_carried(boolean(known.form_closure))},
-                                 {"margin", number_or_null(known.margin)},
-                                 {"plan_max", number_or_null(known.greatest_by_plan)},
-                                 {"springs_max", if_carried(number(known.greatest_by_springs))},
-                                 {"best_max", if_carried(number(known.least_greatest))},
-                                 {"springs", if_carried(numbers(known.springs))}};
+  std::vector<Member> members = {
+      {"robot", std::to_string(robot)},
+      {"carried", boolean(rest.has_value())},
+      {"steady", boolean(known.steady)},
+      {"clear", boolean(known.clear)},
+      {"com_margin", if_carried(number(known.tipping_distance))},
+      {"coverage", if_carried(number(known.coverage))},
+      {"form_closure", if_carried(boolean(known.form_closure))},
+      {"margin", number_or_null(known.margin)},
+      {"plan_max", number_or_null(known.greatest_by_plan)},
+      {"springs_max", if_carried(number(known.greatest_by_springs))},
+      {"best_max", if_carried(number(known.least_greatest))},
+      {"springs", known.springs.empty() ? "null" : numbers(known.springs)}};
   if (overloads)
     members.push_back({"over_capacity", known.stays ? if_carried(boolean(*overloads)) : "null"});
   if (with_disturbance) {

@@ -102,10 +102,10 @@ std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robu
     change = std::max({change, loads.changes.by[i], springs.loads[i] - ranges[i].least});
   }
   if (slack) {
-    const std::string text =
-        say("If {conditions}, one of equally stiff robots may go slack, and another may have to carry "
-            "up to {load}.",
-            {disturbance_as_clause(shown), load_in_words(greatest, units, Toward::up)});
+    const std::string text = say(
+        "If {conditions}, one of equally stiff robots may go slack, and another may have to carry "
+        "up to {load}.",
+        {disturbance_as_clause(shown), load_in_words(greatest, units, Toward::up)});
     // The tilt of an uneven object is bounded while all robots carry (uncertainty.h).
     return loads.changes.effect.tilt > 0
                ? text + " " + say("It can then also tilt by more than was counted.")

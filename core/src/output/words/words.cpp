@@ -320,6 +320,11 @@ std::string shortage_in_words(const Placement& placement) {
       {teams, count_of(placement.requested_teams, "team", "teams")});
 }
 
+std::string cut_short_in_words(const Placement& placement) {
+  if (!placement.cut_short) return {};
+  return say("The search was cut short by its limit of work: there may be better places.");
+}
+
 std::string coverage_in_words(const Placement& placement) {
   if (placement.teams.empty() || !placement.loads) return {};
   if (placement.lifting_base.size() == 1) return say("It stands on one point, so it can tip.");
