@@ -102,7 +102,8 @@ Taken take(Derived& facts, const Given::Found& found) {
     const auto robots = read_robots(*found.robots, placement.settings.robots, placement.polygon());
     if (!robots) return Taken::nothing;
     if (robots_text(lifting_points(placement.teams)) != *found.robots) taken = Taken::other_robots;
-    *shown = with_robots(std::move(placement), *robots, found.ended, found.cut_short);
+    const bool cut_short = placement.cut_short || found.cut_short;  // in the start, or since
+    *shown = with_robots(std::move(placement), *robots, found.ended, cut_short);
   }
   search.under_way = !found.ended;
   return taken;

@@ -63,8 +63,10 @@ Verdict of_placement(const AppState& state) {
 }
 
 Verdict of_failure(const AppState& state, const Failure& failure) {
+  const ShownPlacement rest(failure.placement, shown(state));
+  const bool tips = failure.rest && !failure.rest->stays;
   return {mood_of(state, failure.rest), failure_words(state, failure.robot),
-          rest_in_words({failure.placement, shown(state)})};
+          tips ? closure_in_words(rest) : rest_in_words(rest)};
 }
 
 bool presses_by_finger(const AppState& state) {
@@ -139,7 +141,7 @@ std::string loads_while_failing(const Failure& failure, const Units& units) {
   constexpr std::size_t most = 24;
   const std::vector<LoadRange>& loads = failure.outlook.loads;
   std::string text;
-  if (!failure.rest || loads.size() > most) return text;
+  if (!failure.rest || !failure.rest->stays || loads.size() > most) return text;
   for (std::size_t i = 0; i < loads.size(); ++i) {
     if (i == failure.robot) continue;
     text += " " + say("Robot {robot} carries {load}.",

@@ -93,15 +93,18 @@ void draw_row(const Ui& ui, const Explanation::Row& row) {
 void draw_failing(const Ui& ui, const Failure& failure, std::size_t robot) {
   if (failure.robot == robot) {
     text_block(Face::label, ui.theme.text, failure_words(ui.state, robot));
+    const ShownPlacement rest(failure.placement, shown(ui.state));
+    const bool tips = failure.rest && !failure.rest->stays;
     text_block(Face::label, ui.theme.second_text,
-               rest_in_words({failure.placement, shown(ui.state)}));
+               tips ? closure_in_words(rest) : rest_in_words(rest));
     return;
   }
   const LoadRange& load = failure.outlook.loads[robot];
-  draw_row(ui, {"It carries now",
-                failure.rest ? load_in_words(failure.outlook.model, load, failure.outlook.greatest,
-                                             shown(ui.state).units)
-                             : std::string("nothing")});
+  draw_row(ui,
+           {"It carries now", failure.rest && failure.rest->stays
+                                  ? load_in_words(failure.outlook.model, load,
+                                                  failure.outlook.greatest, shown(ui.state).units)
+                                  : std::string("nothing")});
   draw_row(ui, {say("Robot {robot}", {failure.robot + 1}), "fails"});
 }
 

@@ -30,8 +30,10 @@ std::vector<Side> cutting_sides(const Placement& placement, double reach) {
   const std::size_t step = (hull.size() + most_sides - 1) / most_sides;
   for (std::size_t i = 0; i < hull.size(); i += step) {
     const Vec2 along = hull[i + 1 == hull.size() ? 0 : i + 1] - hull[i];
-    const Side side{hull[i], along,
-                    cross(along, placement.centre_of_mass - hull[i]) - reach * length(along)};
+    Side side{hull[i], along,
+              cross(along, placement.centre_of_mass - hull[i]) - reach * length(along)};
+    // At the very edge, nearly any press tips it.
+    if (reach > 0) side.within = std::max(side.within, 1e-9 * reach * length(along));
     if (!(side.within > 0)) continue;
     const bool cuts = std::any_of(placement.vertices().begin(), placement.vertices().end(),
                                   [&](const Vec2& p) { return side.beyond(p) > 0; });

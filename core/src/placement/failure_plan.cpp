@@ -115,6 +115,11 @@ class PlannedCrew {
     const auto springs = disturbance.any() ? springs_of(robots) : std::nullopt;
     if (!springs || !stays(robots, disturbance))
       return *std::max_element(loads.begin(), loads.end());
+    if (loads == springs->loads) {
+      const std::vector<double> ends = greatest_loads(
+          robots, centre(), diameter(), of_.placement.weight(), *springs, disturbance);
+      return *std::max_element(ends.begin(), ends.end());
+    }
     const LoadChanges changes =
         load_changes(robots, centre(), diameter(), of_.placement.weight(), *springs, disturbance);
     double greatest = 0;

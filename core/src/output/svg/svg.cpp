@@ -97,7 +97,8 @@ class Drawing {
            " role=\"img\" aria-labelledby=\"evenlift-title evenlift-description\""
            " font-family=\"Inter, 'Helvetica Neue', Helvetica, Arial, sans-serif\">\n" +
            "<title id=\"evenlift-title\">" + escaped(title()) + "</title>\n" +
-           "<desc id=\"evenlift-description\">" + escaped(verdict(placement_)) + "</desc>\n" +
+           "<desc id=\"evenlift-description\">" +
+           escaped(verdict(of_, LoadModel::plan, loads_when_disturbed(of_))) + "</desc>\n" +
            (link.empty() ? "" : "<metadata>" + escaped(link) + "</metadata>\n") + fills() +
            rect(0, width, height, attribute("fill", panel_colour)) +
            rect(0, width, paper_.height, attribute("fill", ground_colour)) + drawing +

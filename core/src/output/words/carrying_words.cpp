@@ -147,6 +147,11 @@ std::string tilt_in_words(const Robustness& robustness, const ShownPlacement& of
           : say("In the worst direction it tips at a slope of {degrees} ({slope}) or, on level "
                 "ground, when it is braked at {acceleration}.",
                 {degrees, slope, acceleration});
+  // What is left with a slope or an acceleration allows for uneven heights; the above does not.
+  if (const double tilted = effect_on(of).tilt; tilted > 0)
+    text += " " + say("With heights off by up to {amount}, it tips at a slope of {slope}.",
+                      {given_length(of.shown.carrying.uneven, of.shown.units),
+                       slope_in_words(std::max(0.0, tilt->slope - tilted), Toward::down)});
   if (tilt->stays && tilt->acceleration_left)
     text += " " + say("On the slope of {slope} it tips when it is braked at {acceleration}.",
                       {slope_in_words(of.shown.carrying.slope),

@@ -182,8 +182,10 @@ std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& fa
   if (!for_steadiness.empty())
     text += " " + say("It can tip if {robots} fails.", {robots_or(for_steadiness)});
   if (!for_capacity.empty())
-    text += " " + say("Some robot carries more than {limit} if {robots} fails.",
-                      {limit, robots_or(for_capacity)});
+    text +=
+        " " + say(disturbed ? "Some robot can come to carry more than {limit} if {robots} fails."
+                            : "Some robot carries more than {limit} if {robots} fails.",
+                  {limit, robots_or(for_capacity)});
   return text + " " +
          say("At a sudden failure loads swing beyond this, those of the nearest robots by about "
              "twice the change, others by more.");

@@ -44,7 +44,14 @@ std::string overload_in_words(const ShownPlacement& of, const std::vector<std::s
   // `best` ignores different capacities.
   if (has_own && model == LoadModel::best) return {};
   const std::string limit = limit_in_words(of);
-  if (robots.empty()) return say("No robot carries more than {limit}.", {limit});
+  if (robots.empty()) {
+    // If a given support stands a little high, some can be overloaded (if_uneven_in_words).
+    const bool given = placement.settings.method == Method::given && !failed;
+    const bool if_uneven =
+        given && !loads_are_determined(placement) &&
+        !overloaded_robots(of, worst_loads(of).value_or(std::vector<double>())).empty();
+    return if_uneven ? std::string() : say("No robot carries more than {limit}.", {limit});
+  }
   // `best` gives the greatest load, not its robot. By `worst`, and in ranges, not all robots have
   // their greatest loads at once.
   if (model == LoadModel::best)
@@ -216,9 +223,10 @@ std::string loads_in_words(const ShownPlacement& of, LoadModel shown,
        "On level ground and with C as given, {robots} carry {load} each ({all}).",
        "On level ground and with C as given, {robots} carry equal loads of {load} ({all})."}};
   const bool equal = placement.settings.method == Method::balanced;
-  return say(sentences[planned ? tips ? 3 : 0
-                       : given ? 1
-                               : 2][equal         ? 2
+  return say(sentences[tips      ? 3
+                       : planned ? 0
+                       : given   ? 1
+                                 : 2][equal         ? 2
                                     : number == 1 ? 0
                                                   : 1],
              {robots,
