@@ -257,7 +257,7 @@ export interface Failure {
   plan_max: number | null;
   springs_max: number | null;
   best_max: number | null;
-  /** The load of each robot; 0 for the failed one. */
+  /** The load of each robot; 0 for the failed one. `null` for more than 64 robots. */
   springs: number[] | null;
   /** Only with a `capacity`; `null` where `stays` is `false`. */
   over_capacity?: boolean | null;
@@ -323,7 +323,7 @@ export interface Placement {
   tips_over?: number[];
   /** As used; `null` for the default. */
   clear: number | null;
-  /** For balanced robots. */
+  /** For balanced robots, and for teams whose swaps were cut short. */
   search_ended?: boolean;
   requested_robots?: number;
   /** For balanced robots, and for teams with the goal `"hold"`. */

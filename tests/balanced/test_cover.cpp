@@ -69,8 +69,8 @@ TEST_CASE("a base that is thin as rounding covers nothing", "[balanced]") {
   for (int i = 0; i < 10'000; ++i) {
     std::vector<LiftingPoint> robots;
     for (int robot = 0; robot < 4; ++robot) robots.push_back(shaken(ends[robot % 2], rng));
-    std::uint64_t comparisons = 0;
-    const double covered = cover.of(balanced::small_hull(robots, centre), comparisons);
+    std::uint64_t steps = 0;
+    const double covered = cover.of(balanced::small_hull(robots, centre), steps);
     REQUIRE(covered >= 0);
     REQUIRE(covered <= 1e-12);
   }
@@ -96,9 +96,9 @@ TEST_CASE("the coverage of a set is the same, and its bound is above it", "[bala
       const double expected = coverage(solid(polygon), hull);
       const balanced::SmallHull small = balanced::small_hull(robots, centre);
       CHECK(std::fabs(small.area - signed_area(hull)) <= 1e-12 * signed_area(hull));
-      std::uint64_t comparisons = 0;
-      CHECK(std::fabs(cover.of(small, comparisons) - expected) <= 1e-11);
-      CHECK(comparisons > 0);
+      std::uint64_t steps = 0;
+      CHECK(std::fabs(cover.of(small, steps) - expected) <= 1e-11);
+      CHECK(steps > 0);
       CHECK(coarse.most(small) >= expected - 1e-11);
       ++compared;
     }

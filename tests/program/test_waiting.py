@@ -45,12 +45,23 @@ class Waiting(unittest.TestCase):
     def assert_shown_and_erased(self, what, seen):
         self.assertRegex(seen, rb"\A(" + ERASE + what + rb": \d+\.\d s)+" + ERASE + rb"\Z")
 
+    def assert_begins_with(self, what, seen):
+        """Other work may follow."""
+        self.assertRegex(seen, rb"\A(" + ERASE + what + rb": \d+\.\d s)+(" + ERASE + rb"[a-z ]+: \d+\.\d s)*" + ERASE + rb"\Z")
+
     def test_a_terminal_sees_how_long_robots_are_being_placed_and_nothing_else_does(self):
         arguments = ["place", self.shape("comb"), "--metric", "balanced", "--robots", "4"]
         output, seen = run_on_terminal(*arguments)
-        self.assert_shown_and_erased(b"placing the robots", seen)
+        self.assert_begins_with(b"placing the robots", seen)
         with run(*arguments) as process:
             self.assertEqual(process.communicate(), (output, b""))
+
+    def test_a_terminal_sees_which_shape_is_being_placed(self):
+        shape = self.shape("comb")
+        points = [line.strip("()") for line in pathlib.Path(shape).read_text().splitlines() if line.startswith("(")]
+        pathlib.Path(shape).write_text("\n".join([*points, "", "0,0", "1,0", "0,1", ""]))
+        output, seen = run_on_terminal("place", shape, "--shape", "all", "--metric", "balanced", "--robots", "4")
+        self.assertIn(b"\r\x1b[Kplacing the robots, shape 1 of 2: ", seen)
 
     def test_a_terminal_sees_how_long_choices_are_being_compared(self):
         # Without the limit this takes several seconds.

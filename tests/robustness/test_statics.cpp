@@ -7,6 +7,7 @@
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/output/requirements.h"
 #include "evenlift/output/robustness_words.h"
+#include "evenlift/output/svg.h"
 #include "evenlift/output/verdict.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/tilt.h"
@@ -75,6 +76,11 @@ TEST_CASE("slope and braking together reach farther than their sum", "[tilt][sta
                                      "ground and with C as given, 4 equally stiff robots carry "
                                      "25.0 kg each (100 kg in all)."));
   CHECK(judge(lifted.of()).kind == VerdictKind::bad);
+  CHECK(
+      plainly(placement_svg(lifted.of()))
+          .find(
+              "<desc id=\"evenlift-description\">On a slope of 50 %, braked at 0.5 g, it tips.") !=
+      std::string::npos);
   // The ends of the loads' ranges are bounds with the sum.
   lifted.carrying() = {.com_height = 1, .slope = 0.2};
   CHECK(lifted.loads()[0].greatest == Approx(25 + 14.142).epsilon(1e-5));
@@ -120,6 +126,8 @@ TEST_CASE("uneven heights tilt the object", "[tilt][statics]") {
   CHECK(effect_on(lifted.of()).tilt == Approx(0.2));  // 2 uneven / side
   CHECK(lifted.tilt().reach == Approx(0.2));
   CHECK(lifted.tilt().slope == 0.5);  // alone
+  CHECK(plainly(tilt_in_words(robustness(*lifted.placement), lifted.of()))
+            .ends_with("With heights off by up to 0.1, it tips at a slope of 30 %."));
   lifted.carrying().uneven = 0.26;
   CHECK_FALSE(lifted.tilt().stays);
   CHECK(lifted.sentences().starts_with("With heights off by up to 0.26 it tips."));
@@ -276,6 +284,7 @@ TEST_CASE("a floor that is not even is the second thing that given supports say"
                     high = "If one of them stands a little high, robots 1 and 4 can come to carry ";
   CHECK(lifted.sentences().starts_with(level + high + "50.0 kg. "));
   lifted.document.shown.capacity = 40;
+  CHECK(capacity_in_words(lifted.of(), nullptr).empty());  // not that none carries more
   CHECK(lifted.sentences().starts_with(
       level + high +
       "50.0 kg. 2 of 4 robots can be overloaded, with more than 40 kg: robots 1 and 4. "));

@@ -195,6 +195,15 @@ TEST_CASE("how many balanced robots it takes if any one may fail is taken over w
     CHECK(read_plan(plan_text(each)) == each);
 }
 
+TEST_CASE("a search that was cut short says so", "[view][balanced]") {
+  AppState state = balanced_state();
+  REQUIRE(state.derived().search.under_way);
+  give(state, TakeRobots{state.derived().search.number, last_robots(state), true, true});
+  CHECK(state.derived().placement->search_ended);
+  CHECK(state.derived().placement->cut_short);
+  CHECK(verdict(state).detail.find("cut short by its limit of work") != std::string::npos);
+}
+
 TEST_CASE("the second method is searched for, too", "[view][balanced]") {
   AppState state;
   begin(state, placed(document(piano)));

@@ -96,6 +96,9 @@ TEST_CASE("the failures that tip it on a slope are told, and those that hold are
   CHECK(mood(4) == Mood::falls);
   give(state, Fail{4});
   CHECK(plainly(verdict(state).headline) == "Robot 5 fails: it tips on a slope of 50 %.");
+  // What tips carries nothing, and no press is needed.
+  CHECK_FALSE(says(state, "carries"));
+  CHECK_FALSE(says(state, "pressed down"));
   carry(state, {.com_height = 600, .slope = 0.05});
   CHECK(plainly(verdict(state).headline).find("within the given conditions.") != std::string::npos);
 }

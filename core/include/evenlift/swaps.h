@@ -112,13 +112,15 @@ std::optional<Swap> best_swap_of(const PolygonWithHoles& object, const Vec2& cen
                                  const std::vector<std::uint32_t>& taken, std::uint32_t team,
                                  const HoldRequirements& hold, const Stands* stands = nullptr);
 
-// The teams for these settings, as indices into `candidates`. The method must choose among
-// candidates. The teams are selected (selection.h) and, if the goal is to hold, swapped; in that
-// case check_swaps() must allow the swaps, and `cut_short` becomes SwapHistory::cut_short.
-std::vector<std::uint32_t> choose_candidates(const PolygonWithHoles& object, const Vec2& centre,
-                                             const std::vector<Candidate>& candidates,
-                                             const Settings& settings, std::size_t teams,
-                                             const Stands* stands = nullptr,
-                                             bool* cut_short = nullptr);
+// The teams for these settings, as indices into `candidates`, and SwapHistory::cut_short. The method
+// must choose among candidates. The teams are selected (selection.h) and, if the goal is to hold,
+// swapped; in that case check_swaps() must allow the swaps.
+struct ChosenTeams {
+  std::vector<std::uint32_t> taken;
+  bool cut_short = false;
+};
+ChosenTeams choose_candidates(const PolygonWithHoles& object, const Vec2& centre,
+                              const std::vector<Candidate>& candidates, const Settings& settings,
+                              std::size_t teams, const Stands* stands = nullptr);
 
 }  // namespace evenlift

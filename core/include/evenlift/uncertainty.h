@@ -99,11 +99,11 @@ struct LoadChanges {
 LoadChanges load_changes(const Points& robots, const Vec2& centre, double diameter, double weight,
                          const SpringLoads& springs, const Disturbance& disturbance);
 
-// The greatest possible load of each robot. Costs as much as load_changes(), without the least
-// loads.
+// The greatest loads of load_ranges(). `loads` are in equilibrium; `springs` are the loads by springs
+// of the same robots. Costs as much as load_changes(), without the least loads.
 std::vector<double> greatest_loads(const Points& robots, const Vec2& centre, double diameter,
-                                   double weight, const SpringLoads& springs,
-                                   const Disturbance& disturbance);
+                                   double weight, const std::vector<double>& loads,
+                                   const SpringLoads& springs, const Disturbance& disturbance);
 
 // Whether the set of robots that carry load may change. It may if robots without load may begin to
 // carry, or if a robot may go slack: `kept` * load - `by` is below 0 by more than the tolerance (tau

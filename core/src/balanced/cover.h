@@ -17,9 +17,9 @@ class Cover {
 
   // The coverage, equal to coverage(object, hull) up to rounding. It is 0 if H has no area, if C is
   // outside H, or if only rounding separates C from a side of H. O(h log n) for each crossing of
-  // the boundary with H, O(n h) at worst. Adds to `comparisons` about how many points were compared
-  // with sides of H.
-  double of(const SmallHull& hull, std::uint64_t& comparisons) const;
+  // the boundary with H, O(n h) at worst. Adds the work to `steps` (most_steps in balanced.h): one for
+  // about three comparisons of a point with a side of H.
+  double of(const SmallHull& hull, std::uint64_t& steps) const;
 
  private:
   class Sum;

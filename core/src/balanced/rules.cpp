@@ -45,7 +45,7 @@ void RatedSet::begin(std::uint32_t pairs) {
   level.reset();
   hull.reset();
   coverage.reset();
-  comparisons = 0;
+  steps_of_coverage = 0;
   spread.reset();
   places.reset();
 }
@@ -72,10 +72,9 @@ Rules::Rules(PolygonWithHoles object, const Vec2& centre, const Settings& settin
 }
 
 std::uint64_t Rules::steps_of(const RatedSet& set) const {
-  constexpr std::uint64_t comparisons_in_a_step = 3;
   const std::uint64_t robots = set.robots.size();
   return 1 + robots / 8 + (set.hull ? robots / 2 : 0) + (set.steady ? 10 * robots : 0) +
-         (set.level ? 2 * robots : 0) + set.comparisons / comparisons_in_a_step;
+         (set.level ? 2 * robots : 0) + set.steps_of_coverage;
 }
 
 std::uint32_t Rules::near_pairs(const std::vector<LiftingPoint>& robots, std::size_t number,
@@ -127,7 +126,7 @@ bool Rules::covers_less(RatedSet& set, double bound) const {
 }
 
 double Rules::coverage(RatedSet& set) const {
-  if (!set.coverage) set.coverage = cover_.of(hull(set), set.comparisons);
+  if (!set.coverage) set.coverage = cover_.of(hull(set), set.steps_of_coverage);
   return *set.coverage;
 }
 

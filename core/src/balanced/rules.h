@@ -29,7 +29,7 @@ struct RatedSet {
   std::optional<std::uint32_t> level;
   std::optional<SmallHull> hull;
   std::optional<double> coverage, spread;
-  std::uint64_t comparisons = 0;  // that the coverage took (cover.h)
+  std::uint64_t steps_of_coverage = 0;  // cover.h
   std::optional<std::vector<double>> places;
 
   // Clears the keys after `robots` has changed. `pairs` is the number of near pairs of the new

@@ -11,6 +11,7 @@
 #include "chords/radial_view.h"
 #include "evenlift/candidates.h"
 #include "evenlift/tolerance.h"
+#include "exact/sorted_indices.h"
 
 namespace evenlift {
 namespace {
@@ -88,7 +89,7 @@ std::vector<NumberedPair> numbered_pairs(const Polygon& polygon, const RadialVie
     pairs.push_back({{std::min(pair.a, pair.b), std::max(pair.a, pair.b)},
                      static_cast<std::uint32_t>(pairs.size())});
   });
-  std::sort(pairs.begin(), pairs.end(), [](const NumberedPair& a, const NumberedPair& b) {
+  sort_items(pairs, [](const NumberedPair& a, const NumberedPair& b) {
     return a.edges != b.edges ? a.edges < b.edges : a.number < b.number;
   });
   return pairs;

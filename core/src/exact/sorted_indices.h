@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "evenlift/vec.h"
@@ -35,6 +36,18 @@ SortedIndices sorted_indices(std::size_t n, const Before& before) {
   SortedIndices indices = indices_below(n);
   sort_indices(indices, before);
   return indices;
+}
+
+// Sorts items stably by before(a, b), through their indices. O(n log n) calls, and a move of each item.
+template <class Item, class Before>
+void sort_items(std::vector<Item>& items, const Before& before) {
+  std::vector<Item> sorted;
+  sorted.reserve(items.size());
+  for (const std::uint32_t i : sorted_indices(items.size(), [&](std::uint32_t a, std::uint32_t b) {
+         return before(items[a], items[b]);
+       }))
+    sorted.push_back(std::move(items[i]));
+  items = std::move(sorted);
 }
 
 inline bool lexicographically_before(const Vec2& a, const Vec2& b) {

@@ -56,8 +56,8 @@ std::vector<PlacedTouch> extremes_of_edges(const Polygon& polygon, const Grasp& 
     extremes.push_back(ends.first);
     if (ends.last.contact != ends.first.contact) extremes.push_back(ends.last);
   }
-  std::sort(extremes.begin(), extremes.end(),
-            [](const PlacedTouch& a, const PlacedTouch& b) { return a.contact < b.contact; });
+  sort_items(extremes,
+             [](const PlacedTouch& a, const PlacedTouch& b) { return a.contact < b.contact; });
   return extremes;
 }
 

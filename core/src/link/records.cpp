@@ -6,6 +6,7 @@
 
 #include "evenlift/numbers.h"
 #include "evenlift/settings.h"
+#include "exact/sorted_indices.h"
 #include "link/settings.h"
 
 namespace evenlift {
@@ -124,8 +125,7 @@ Records records_of(const Document& document) {
   for (const auto& [number, overlay] : overlay_records)
     if (asked.overlays.*overlay) records.push_back({number, shown});
   if (has_moved(document)) records.push_back({tag::moved, moved_text(document.moved)});
-  std::sort(records.begin(), records.end(),
-            [](const Record& a, const Record& b) { return a.tag < b.tag; });
+  sort_items(records, [](const Record& a, const Record& b) { return a.tag < b.tag; });
   return records;
 }
 

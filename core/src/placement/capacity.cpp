@@ -82,7 +82,8 @@ CapacityPlan plan_by_swap(const Placement& placement, double capacity) {
       return {false, 0, 0, teams - 1, 2};
     const std::vector<std::uint32_t> chosen =
         choose_candidates(placement.object, placement.centre_of_mass, candidates,
-                          placement.settings, teams, placement.stands.get());
+                          placement.settings, teams, placement.stands.get())
+            .taken;
     double greatest = 0;
     for (const std::uint32_t i : chosen)
       greatest = std::max(greatest, weight / teams * greater_share(candidates[i].chord));

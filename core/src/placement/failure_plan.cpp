@@ -64,7 +64,8 @@ class Placer {
     if (swapped || chosen_.size() < number)
       chosen_ = choose_candidates(placement_.object, placement_.centre_of_mass,
                                   placement_.candidates, placement_.settings,
-                                  swapped ? number : 2 * number, placement_.stands.get());
+                                  swapped ? number : 2 * number, placement_.stands.get())
+                    .taken;
     return {chosen_.begin(),
             chosen_.begin() + static_cast<std::ptrdiff_t>(std::min(number, chosen_.size()))};
   }
@@ -86,16 +87,17 @@ class PlannedCrew {
   // load exceeds the capacity. `upright` becomes whether the object stays clearly upright, intact
   // and after any failure.
   std::optional<double> greatest_of_all(double capacity, bool& upright) const {
-    double greatest = greatest_load(all_, planned_, conditions_);
+    double greatest = greatest_load(
+        all_, planned_, conditions_.any() ? springs_of(all_) : std::nullopt, conditions_);
     upright = true;
+    const Disturbance rest = after_failure(conditions_, all_.size());
     for (std::size_t failed = 0; failed < all_.size() && !exceeds(greatest, capacity); ++failed) {
       Points others = all_;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(failed));
-      const Disturbance rest = after_failure(conditions_, all_.size());
       const auto springs = springs_of(others);
       if (!springs) return std::nullopt;
       upright = upright && is_upright(others, rest);
-      greatest = std::max(greatest, greatest_load(others, springs->loads, rest));
+      greatest = std::max(greatest, greatest_load(others, springs->loads, springs, rest));
     }
     return exceeds(greatest, capacity) ? std::nullopt : std::optional(greatest);
   }
@@ -108,24 +110,17 @@ class PlannedCrew {
     return spring_loads(robots, centre(), diameter(), of_.placement.weight());
   }
 
-  // Of robots that bear these loads under the disturbance. If it tips, only the loads at rest are
+  // Of robots that carry these loads, under the disturbance. If it tips, only the loads at rest are
   // known.
   double greatest_load(const Points& robots, const std::vector<double>& loads,
+                       const std::optional<SpringLoads>& springs,
                        const Disturbance& disturbance) const {
-    const auto springs = disturbance.any() ? springs_of(robots) : std::nullopt;
-    if (!springs || !stays(robots, disturbance))
-      return *std::max_element(loads.begin(), loads.end());
-    if (loads == springs->loads) {
-      const std::vector<double> ends = greatest_loads(
-          robots, centre(), diameter(), of_.placement.weight(), *springs, disturbance);
-      return *std::max_element(ends.begin(), ends.end());
-    }
-    const LoadChanges changes =
-        load_changes(robots, centre(), diameter(), of_.placement.weight(), *springs, disturbance);
-    double greatest = 0;
-    for (const LoadRange& range : load_ranges(loads, changes))
-      greatest = std::max(greatest, range.greatest);
-    return greatest;
+    const bool changes = disturbance.any() && springs && stays(robots, disturbance);
+    const std::vector<double> ends =
+        changes ? greatest_loads(robots, centre(), diameter(), of_.placement.weight(), loads,
+                                 *springs, disturbance)
+                : loads;
+    return *std::max_element(ends.begin(), ends.end());
   }
 
   double tipping_distance_of(const Points& robots) const {

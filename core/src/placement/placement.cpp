@@ -107,12 +107,14 @@ std::optional<InputError> choose_teams(Placement& placement, Effort effort) {
   switch (settings.method) {
     case Method::area:
     case Method::circle:
-    case Method::distance:
-      placement.team_candidates =
-          choose_candidates(placement.object, centre, placement.candidates, settings, teams,
-                            placement.stands.get(), &placement.cut_short);
+    case Method::distance: {
+      ChosenTeams chosen = choose_candidates(placement.object, centre, placement.candidates,
+                                             settings, teams, placement.stands.get());
+      placement.team_candidates = std::move(chosen.taken);
+      placement.cut_short = chosen.cut_short;
       chords = chords_of(placement.candidates, placement.team_candidates);
       break;
+    }
     case Method::distributed:
       chords = distributed_teams(polygon, centre, teams);
       break;

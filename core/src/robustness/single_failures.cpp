@@ -98,9 +98,10 @@ std::optional<RestOfRobots> Crew::without(std::size_t robot) const {
     return loads;
   };
   if (rest.stays) {
-    rest.ends = with_failed(disturbance_.any() ? greatest_loads(others, centre_, diameter, weight_,
-                                                                *springs, disturbance_)
-                                               : springs->loads);
+    rest.ends =
+        with_failed(disturbance_.any() ? greatest_loads(others, centre_, diameter, weight_,
+                                                        springs->loads, *springs, disturbance_)
+                                       : springs->loads);
     rest.greatest_end = *std::max_element(rest.ends.begin(), rest.ends.end());
   }
   if (positions_.size() <= most_robots_listed) rest.springs = with_failed(springs->loads);

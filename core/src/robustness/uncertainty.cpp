@@ -100,6 +100,14 @@ LoadChanges greatest_changes(const Points& robots, const Vec2& centre, double di
   return changes;
 }
 
+std::vector<double> upper_ends(const std::vector<double>& loads, const LoadChanges& changes) {
+  if (may_let_go(loads, changes)) return changes.at_worst;
+  std::vector<double> ends;
+  for (std::size_t i = 0; i < loads.size(); ++i)
+    ends.push_back(std::min(loads[i] + changes.by[i], most));
+  return ends;
+}
+
 }  // namespace
 
 double tipping_distance(const Points& hull, const Vec2& centre, double diameter) {
@@ -149,13 +157,10 @@ LoadChanges load_changes(const Points& robots, const Vec2& centre, double diamet
 }
 
 std::vector<double> greatest_loads(const Points& robots, const Vec2& centre, double diameter,
-                                   double weight, const SpringLoads& springs,
-                                   const Disturbance& disturbance) {
-  LoadChanges changes = greatest_changes(robots, centre, diameter, weight, springs, disturbance);
-  if (may_let_go(springs.loads, changes)) return std::move(changes.at_worst);
-  for (std::size_t i = 0; i < robots.size(); ++i)
-    changes.by[i] = std::min(springs.loads[i] + changes.by[i], most);
-  return std::move(changes.by);
+                                   double weight, const std::vector<double>& loads,
+                                   const SpringLoads& springs, const Disturbance& disturbance) {
+  return upper_ends(loads,
+                    greatest_changes(robots, centre, diameter, weight, springs, disturbance));
 }
 
 bool may_let_go(const std::vector<double>& loads, const LoadChanges& changes) {
@@ -169,13 +174,13 @@ bool may_let_go(const std::vector<double>& loads, const LoadChanges& changes) {
 
 std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const LoadChanges& changes) {
   const bool lets_go = may_let_go(loads, changes);
+  const std::vector<double> upper = upper_ends(loads, changes);
   std::vector<LoadRange> ranges;
   ranges.reserve(loads.size());
-  for (std::size_t i = 0; i < loads.size(); ++i)
-    ranges.push_back(lets_go
-                         ? LoadRange{changes.at_least[i], changes.at_worst[i]}
-                         : LoadRange{std::max(changes.effect.kept * loads[i] - changes.by[i], 0.0),
-                                     std::min(loads[i] + changes.by[i], most)});
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const double least = std::max(changes.effect.kept * loads[i] - changes.by[i], 0.0);
+    ranges.push_back({lets_go ? changes.at_least[i] : least, upper[i]});
+  }
   return ranges;
 }
 

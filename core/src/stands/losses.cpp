@@ -1,6 +1,7 @@
 #include "stands/losses.h"
 
 #include <algorithm>
+#include "exact/sorted_indices.h"
 
 namespace evenlift {
 namespace {
@@ -8,7 +9,7 @@ namespace {
 void unite(std::vector<Stretch>& stretches, double length) {
   for (Stretch& s : stretches) s = {std::clamp(s.from, 0.0, length), std::clamp(s.to, 0.0, length)};
   std::erase_if(stretches, [](const Stretch& s) { return !(s.from < s.to); });
-  std::sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) {
+  sort_items(stretches, [](const Stretch& a, const Stretch& b) {
     return a.from != b.from ? a.from < b.from : a.to < b.to;
   });
   std::size_t kept = 0;

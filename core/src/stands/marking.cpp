@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "evenlift/stands.h"
+#include "exact/sorted_indices.h"
 
 namespace evenlift {
 namespace {
@@ -12,7 +13,7 @@ bool comes_first(const EdgePart& a, const EdgePart& b) {
 
 // Sorted, and joined where they meet.
 std::vector<EdgePart> united(std::vector<EdgePart> parts) {
-  std::sort(parts.begin(), parts.end(), comes_first);
+  sort_items(parts, comes_first);
   std::vector<EdgePart> joined;
   for (const EdgePart& part : parts) {
     if (!joined.empty() && joined.back().edge == part.edge && part.from <= joined.back().to)

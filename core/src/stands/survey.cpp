@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "evenlift/tolerance.h"
+#include "exact/sorted_indices.h"
 
 namespace evenlift {
 namespace {
@@ -56,7 +57,7 @@ Surveyor::Surveyor(const PolygonWithHoles& object, const RobotSize& robot,
       holes_(edges_of_holes(object)),
       corners_(polygon_),
       no_go_(no_go) {
-  std::sort(no_go_.begin(), no_go_.end(), [](const EdgePart& a, const EdgePart& b) {
+  sort_items(no_go_, [](const EdgePart& a, const EdgePart& b) {
     return std::array{double(a.edge), a.from, a.to} < std::array{double(b.edge), b.from, b.to};
   });
 }

@@ -70,7 +70,7 @@ std::uint32_t Choices::level_of(const std::optional<double>& margin) const {
 
 HoldKeys Choices::keys_of(const Part& part) const {
   return {level_of(margins_.of(contact_points(stands_, part.robots))),
-          cover_.of(balanced::small_hull(part.robots, centre_), comparisons_), part.ratios};
+          cover_.of(balanced::small_hull(part.robots, centre_), steps_), part.ratios};
 }
 
 void Choices::set_parts(std::vector<Part> parts) { staying_ = std::move(parts); }
@@ -92,7 +92,7 @@ Trial Choices::trial(std::uint32_t candidate, std::uint32_t other) const {
 void Choices::sharpen(Trial& trial) const {
   const balanced::SmallHull hull = balanced::small_hull(robots_of(trial), centre_);
   trial.coverage = trial.sharpness == 0 ? std::min(trial.coverage, coarse_cover_.most(hull))
-                                        : cover_.of(hull, comparisons_);
+                                        : cover_.of(hull, steps_);
   ++trial.sharpness;
 }
 

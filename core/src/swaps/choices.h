@@ -65,10 +65,7 @@ class Choices {
   bool reaches(const Trial& trial, std::uint32_t level);
 
   // Whether the work so far exceeds most_swap_steps (swaps.h).
-  bool is_spent() const {
-    constexpr std::uint64_t comparisons_in_a_step = 3;
-    return steps_ + comparisons_ / comparisons_in_a_step > most_swap_steps;
-  }
+  bool is_spent() const { return steps_ > most_swap_steps; }
 
   double ratios(const Trial& trial) const {
     return part(trial.candidate).ratios + part(trial.other).ratios;
@@ -94,7 +91,7 @@ class Choices {
   std::vector<Part> staying_;                 // parts that stay
   std::vector<Wrench> directions_;            // to test for weakness; the last useful one is first
   mutable std::vector<LiftingPoint> robots_;  // reused by all trials
-  mutable std::uint64_t steps_ = 0, comparisons_ = 0;  // of coverages (cover.h)
+  mutable std::uint64_t steps_ = 0;
 };
 
 }  // namespace evenlift::swaps

@@ -200,18 +200,16 @@ std::optional<Swap> best_swap_of(const PolygonWithHoles& object, const Vec2& cen
   return swap;
 }
 
-std::vector<std::uint32_t> choose_candidates(const PolygonWithHoles& object, const Vec2& centre,
-                                             const std::vector<Candidate>& candidates,
-                                             const Settings& settings, std::size_t teams,
-                                             const Stands* stands, bool* cut_short) {
+ChosenTeams choose_candidates(const PolygonWithHoles& object, const Vec2& centre,
+                              const std::vector<Candidate>& candidates, const Settings& settings,
+                              std::size_t teams, const Stands* stands) {
   std::vector<std::uint32_t> taken =
       select_teams(object, centre, candidates, *metric_of(settings.method), teams,
                    first_team(settings.positions), stands);
-  if (!swaps_teams(settings)) return taken;
+  if (!swaps_teams(settings)) return {std::move(taken)};
   const SwapHistory history = swap_teams(object, centre, candidates, std::move(taken),
                                          hold_requirements(object, centre, settings), stands);
-  if (cut_short) *cut_short = history.cut_short;
-  return history.taken();
+  return {history.taken(), history.cut_short};
 }
 
 }  // namespace evenlift
