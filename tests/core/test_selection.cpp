@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numbers>
 #include <numeric>
 #include <string>
 
@@ -17,7 +19,8 @@
 #include "kit/corpus.h"
 #include "kit/metrics.h"
 #include "kit/solid.h"
-#include "selection/tie_order.h"
+#include "selection/greedy_selector.h"
+#include "selection/growing_base.h"
 #include "shapes/problem_document.h"
 #include "shapes/small_polygons.h"
 
@@ -404,16 +407,19 @@ TEST_CASE("no team is placed where none is asked for", "[selection]") {
 TEST_CASE("candidates that tie are taken as if the keys were compared anew each time",
           "[core][selection]") {
   Rng rng(7);
+  const PolygonWithHoles square = solid(shape({{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}, 0.8).polygon);
   int chains = 0;  // where the order differs from that of classes formed once
   for (int round = 0; round < 2000; ++round) {
     std::vector<Candidate> candidates(1 + rng.below(24));
     for (Candidate& c : candidates) {
+      // All ends are the same, so that after one team no other widens the base.
+      c.chord.r1.position = {0, 1};
+      c.chord.r2.position = {2, 1};
       c.chord.ratio = 1 - 0.31e-9 * static_cast<double>(rng.below(9));
       c.length = 5 * (1 + 0.31e-9 * static_cast<double>(rng.below(9)));
     }
     std::vector<std::uint32_t> left(candidates.size());
     std::iota(left.begin(), left.end(), 0u);
-    const std::vector<std::uint32_t> all = left;
     std::vector<std::uint32_t> expected;
     double ratio_before = 0;
     bool chain = false;
@@ -433,10 +439,80 @@ TEST_CASE("candidates that tie are taken as if the keys were compared anew each 
       ratio_before = ratio;
     }
     chains += chain;
-    for (const std::size_t count : {all.size(), std::size_t{1 + rng.below(4)}}) {
-      expected.resize(std::min(expected.size(), count));
-      CHECK(order_of_taking(candidates, all, count) == expected);
+    const auto first = static_cast<std::uint32_t>(candidates.size());
+    candidates.push_back(candidates.front());
+    Selector selector(square, {1, 1}, candidates, Metric::area);
+    selector.take(first);
+    while (selector.take_next()) {
     }
+    CHECK(std::vector(selector.taken().begin() + 1, selector.taken().end()) == expected);
   }
   CHECK(chains > 1000);
+}
+
+// Pairs of points in opposite directions. If `nearly` is above 0, many are nearly on one side or
+// nearly at one place, so that rounding decides which of them are corners.
+std::vector<std::pair<Vec2, Vec2>> opposite_points(Rng& rng, double nearly) {
+  std::vector<std::pair<Vec2, Vec2>> pairs(300);
+  const double sides = 3 + static_cast<double>(rng.below(200));
+  for (auto& [p, q] : pairs) {
+    const double along = nearly == 0 || rng.uniform() < 0.3 ? 0 : rng.uniform();
+    const double side = rng.uniform() * sides, first = nearly == 0 ? side : std::floor(side);
+    const auto corner = [&](double k) {
+      const double angle = 2 * std::numbers::pi * k / sides;
+      return Vec2{std::cos(angle), std::sin(angle)};
+    };
+    p = (1 - along) * corner(first) + along * corner(first + 1);
+    p = (1 + (rng.uniform() - 0.5) * nearly * static_cast<double>(rng.below(4))) * p;
+    q = -(0.8 + 0.2 * rng.uniform()) * p;
+    if (rng.below(2) == 0) std::swap(p, q);
+  }
+  return pairs;
+}
+
+TEST_CASE("a base that grows edge by edge is the convex hull", "[core][selection]") {
+  Rng rng(8);
+  constexpr double flat = 2e-9;
+  std::size_t changes = 0, large = 0;
+  for (int round = 0; round < 300; ++round) {
+    GrowingBase base(flat);
+    Points hull, points;
+    std::map<GrowingBase::Corner, Vec2> ends;  // of the edge that begins at each corner
+    const double nearly = round % 2 == 0 ? 0 : flat;
+    for (const auto& [p, q] : opposite_points(rng, nearly)) {
+      points.insert(points.end(), {p, q});
+      // The edge through which C sees a point, as the selector knows it.
+      const auto added = [&](const Vec2& point) -> GrowingBase::Added {
+        for (const auto& [start, end] : ends)
+          if (cross(base.position(start), point) >= 0 && cross(point, end) > 0)
+            return {point, start};
+        return {point, {}};
+      };
+      const auto starts = base.add(added(p), added(q));
+      const Points before = std::exchange(hull, base.positions());
+      CHECK(starts.empty() == (before == hull));
+      changes += starts.size();
+      large += hull.size() > 64;
+      // The edges that are not named as new are the same as before.
+      for (const auto start : starts) ends[start] = base.position(base.next(start));
+      std::erase_if(ends, [&](const auto& edge) { return !base.has(edge.first); });
+      REQUIRE(ends.size() == hull.size());
+      for (const auto& [start, end] : ends) REQUIRE(base.position(base.next(start)) == end);
+    }
+    if (nearly == 0) {
+      CHECK(hull == convex_hull(points, flat));
+      continue;
+    }
+    CHECK(hull == convex_hull(hull));
+    double outside = 0;
+    for (const Vec2& point : points)
+      for (std::size_t i = 0; i < hull.size(); ++i) {
+        const Vec2& h1 = hull[i];
+        const Vec2 edge = hull[(i + 1) % hull.size()] - h1;
+        outside = std::max(outside, -cross(edge, point - h1) / length(edge));
+      }
+    CHECK(outside <= 2 * flat);
+  }
+  CHECK(changes > 20000);
+  CHECK(large > 10000);
 }

@@ -11,6 +11,7 @@
 
 #include "evenlift/chords.h"
 #include "evenlift/document.h"
+#include "evenlift/tolerance.h"
 
 namespace evenlift {
 
@@ -36,8 +37,9 @@ struct Candidate {
 std::vector<Chord> chords_of(const std::vector<Candidate>& candidates,
                              const std::vector<std::uint32_t>& indices);
 
-// Whether the load ratio of a chord is at least 1 - tau. O(1).
+// Whether the load ratio of a chord is at least `even_ratio`. O(1).
 bool is_even(const Chord& chord);
+inline constexpr double even_ratio = 1.0 - tau;
 
 // The candidate of an edge pair, and the values on which it depends. A chord of the pair ends at
 // r_a on edge a and at r_b on edge b.

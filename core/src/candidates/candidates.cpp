@@ -88,7 +88,7 @@ std::vector<Chord> chords_of(const std::vector<Candidate>& candidates,
   return chords;
 }
 
-bool is_even(const Chord& chord) { return chord.ratio >= 1.0 - tau; }
+bool is_even(const Chord& chord) { return chord.ratio >= even_ratio; }
 
 std::optional<PairRange> range_of(const Polygon& polygon, const Vec2& centre, const EdgePair& pair,
                                   double min_ratio) {

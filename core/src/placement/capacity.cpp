@@ -53,8 +53,8 @@ class Growing {
 CapacityPlan plan_by_candidates(const Placement& placement, double capacity) {
   Growing growing(placement.weight(), capacity);
   Selector selector(placement.object, placement.centre_of_mass, placement.candidates,
-                    *metric_of(placement.settings.method), most_teams_for_capacity,
-                    first_team(placement.settings.positions), placement.stands.get());
+                    *metric_of(placement.settings.method), first_team(placement.settings.positions),
+                    placement.stands.get());
   while (growing.plan().tried < most_teams_for_capacity && selector.take_next())
     if (growing.add(placement.candidates[selector.taken().back()].chord)) break;
   return growing.plan();

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 #include "exact/sorted_indices.h"
+#include "polygon/straight_corner.h"
 
 namespace evenlift {
 namespace {
@@ -64,14 +64,6 @@ double squared_distance(const Vec2& a, const Vec2& b) {
   return dot(d, d);
 }
 
-// Whether only rounding makes the corner c between a and b: within `flat` of either, or on the side
-// from a to b, within tau of its length.
-bool is_on_side(const Vec2& a, const Vec2& c, const Vec2& b, double flat) {
-  if (squared_distance(a, c) <= flat * flat || squared_distance(c, b) <= flat * flat) return true;
-  const double squared = squared_distance(a, b), along = dot(c - a, b - a);
-  return along >= 0 && along <= squared && std::fabs(orient(a, b, c)) <= tau * squared;
-}
-
 // Removes the corners that only rounding makes: those within `flat` of the corner before, and those
 // on a straight run, at most tau times the spanning side's length from it. The tip of a thin hull
 // may be as near to that side's line, but is beyond its ends. The search begins with the corner
@@ -86,7 +78,7 @@ Points without_straight_corners(const Points& hull, double flat) {
   const auto corner = [&](std::size_t i) -> const Vec2& { return hull[(start + i) % n]; };
   const auto is_straight = [&](std::size_t from, std::size_t to) {
     for (std::size_t i = from + 1; i < to; ++i)
-      if (!is_on_side(corner(from), corner(i), corner(to), flat)) return false;
+      if (!is_straight_corner(corner(from), corner(i), corner(to), flat)) return false;
     return true;
   };
   Points kept{corner(0)};
@@ -116,60 +108,6 @@ Points hull_of_sorted(Points points, double flat) {
   return flat > 0 ? without_straight_corners(hull, flat) : hull;
 }
 
-// A side with the point beyond it, by bisection over the triangles between the first corner and the
-// sides; nullopt if there is none. O(log h).
-std::optional<std::size_t> side_before(const Points& hull, const Vec2& p) {
-  const std::size_t n = hull.size();
-  if (orient(hull[0], hull[1], p) < 0) return 0;
-  if (orient(hull[n - 1], hull[0], p) < 0) return n - 1;
-  std::size_t low = 1,
-              high = n - 1;  // p is left of the line to `low`, not of that to `high`
-  while (high - low > 1) {
-    const std::size_t middle = low + (high - low) / 2;
-    (orient(hull[0], hull[middle], p) > 0 ? low : high) = middle;
-  }
-  return orient(hull[low], hull[high], p) < 0 ? std::optional(low) : std::nullopt;
-}
-
-// Adds a point to a hull in place of the sides that it is beyond. nullopt if a corner next to it
-// may result from rounding: then the whole hull matters. O(h), with little arithmetic.
-std::optional<Points> with_point(const Points& hull, const Vec2& p, double flat) {
-  const std::size_t n = hull.size();
-  const auto side = [&](std::size_t i) { return orient(hull[i % n], hull[(i + 1) % n], p); };
-  const auto visible = side_before(hull, p);
-  if (!visible) return hull;
-  if (is_on_side(hull[*visible], p, hull[(*visible + 1) % n], flat)) return hull;
-  // Sides that p is beyond or in line with: `number` from `first` on.
-  std::size_t first = *visible, number = 1;
-  while (number < n && side(first + n - 1) <= 0) {
-    first = (first + n - 1) % n;
-    ++number;
-  }
-  while (number < n && side(first + number) <= 0) ++number;
-  if (number + 2 > n) return std::nullopt;
-  Points widened;
-  widened.reserve(n + 1);
-  widened.push_back(p);
-  for (std::size_t i = first + number; i <= first + n; ++i) widened.push_back(hull[i % n]);
-  // Rounding alone may now explain one corner on either side. Only the whole hull shows whether
-  // several such corners are one run.
-  const auto is_straight = [&](std::size_t i) {
-    const std::size_t m = widened.size();
-    return is_on_side(widened[(i + m - 1) % m], widened[i % m], widened[(i + 1) % m], flat);
-  };
-  if (is_straight(1)) widened.erase(widened.begin() + 1);
-  if (is_straight(widened.size() - 1)) widened.pop_back();
-  for (const std::size_t i : {widened.size() - 1, std::size_t{0}, std::size_t{1}})
-    if (is_straight(i)) return std::nullopt;
-  std::rotate(widened.begin(),
-              std::min_element(widened.begin(), widened.end(), lexicographically_before),
-              widened.end());
-  return widened;
-}
-
-// From here on it pays to search for the sides that change.
-constexpr std::size_t many_corners = 64;
-
 }  // namespace
 
 Points convex_hull(Points points, double flat) {
@@ -180,9 +118,6 @@ Points convex_hull(Points points, double flat) {
 }
 
 Points widen_hull(const Points& hull, const Vec2& p, const Vec2& q, double flat) {
-  if (hull.size() >= many_corners)
-    if (auto with_p = with_point(hull, p, flat))
-      if (auto with_both = with_point(*with_p, q, flat)) return *std::move(with_both);
   const auto right = std::max_element(hull.begin(), hull.end(), lexicographically_before);
   Points points;
   points.reserve(hull.size() + 2);
@@ -212,6 +147,16 @@ double diameter(const Points& hull) {
         greatest = std::max(greatest, squared_distance(end, corner(i)));
   }
   return std::sqrt(greatest);
+}
+
+bool is_straight_corner(const Vec2& before, const Vec2& corner, const Vec2& after, double flat) {
+  const double least = flat * flat;
+  if (squared_distance(before, corner) <= least || squared_distance(corner, after) <= least)
+    return true;
+  const double squared = squared_distance(before, after),
+               along = dot(corner - before, after - before);
+  return along >= 0 && along <= squared &&
+         std::fabs(orient(before, after, corner)) <= tau * squared;
 }
 
 double signed_area(const Points& points) {

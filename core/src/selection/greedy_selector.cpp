@@ -1,43 +1,33 @@
 #include "selection/greedy_selector.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "evenlift/hull.h"
 #include "evenlift/plane.h"
 #include "evenlift/tolerance.h"
 #include "exact/pseudo_angle.h"
-#include "selection/tie_order.h"
 
 namespace evenlift {
-namespace {
-
-// For score_slack(). Rounding the ends of a short edge turns its line, which moves far at a distant
-// vertex. So the floor for `distance` grows as the shortest edge shrinks.
-double floor_of(double size, Metric metric, const Points& hull) {
-  if (!scores_are_lengths(metric)) return score_floor * size * size;
-  double shortest = short_edge * size;
-  for (std::size_t i = 0; i < hull.size(); ++i)
-    shortest = std::min(shortest, length(hull[(i + 1) % hull.size()] - hull[i]));
-  return score_floor * size * (short_edge * size / shortest);
-}
-
-}  // namespace
 
 Selector::Selector(const PolygonWithHoles& object, const Vec2& centre,
-                   const std::vector<Candidate>& candidates, Metric metric, std::size_t most_teams,
-                   FirstTeam first, const Stands* stands)
+                   const std::vector<Candidate>& candidates, Metric metric, FirstTeam first,
+                   const Stands* stands)
     : candidates_(candidates),
       surroundings_(object, centre),
       metric_(metric),
-      most_teams_(most_teams),
       first_(first),
       near_(near_distance(object.outline().diameter())),
-      floor_(floor_of(object.outline().diameter(), metric, {})),
+      floor_(score_floor * surroundings_.diameter *
+             (scores_are_lengths(metric) ? 1 : surroundings_.diameter)),
+      base_(near_),
       stands_(stands),
-      states_(candidates.size(), State::open) {
+      states_(candidates.size(), State::open),
+      by_evenness_(candidates.size()),
+      place_(candidates.size()),
+      standings_(candidates.size()) {
   ends_.reserve(2 * candidates.size());
   for (const Candidate& candidate : candidates) {
     for (const LiftingPoint* point : {&candidate.chord.r1, &candidate.chord.r2}) {
@@ -45,6 +35,10 @@ Selector::Selector(const PolygonWithHoles& object, const Vec2& centre,
       ends_.push_back({relative, pseudo_angle(relative), 0, {}, {}});
     }
   }
+  std::iota(by_evenness_.begin(), by_evenness_.end(), Index{0});
+  std::stable_partition(by_evenness_.begin(), by_evenness_.end(),
+                        [&](Index i) { return is_even(candidates_[i].chord); });
+  for (Index place = 0; place < place_.size(); ++place) place_[by_evenness_[place]] = place;
   // Pairs of pseudo-angle and index sort twice as fast as indices alone.
   std::vector<std::pair<double, Index>> ends;
   ends.reserve(ends_.size());
@@ -57,51 +51,44 @@ Selector::Selector(const PolygonWithHoles& object, const Vec2& centre,
 bool Selector::take_next() {
   if (out_ == candidates_.size()) return false;
   if (taken_.empty()) {
-    Indices all(candidates_.size());
-    std::iota(all.begin(), all.end(), Index{0});
-    take(best_by(rule_of_first_team(candidates_, first_), std::move(all)));
-    return true;
+    update_standings();
+    take(best_by(rule_of_first_team(candidates_, first_)));
+  } else {
+    find_best_score();
+    take(best_by(Rule::score));
   }
-  if (!line_.empty()) {
-    const Index next = line_.back();
-    take(next);
-    return true;
-  }
-  Indices leaders = find_leaders();
-  const Points before = hull_;
-  take(best_by(Rule::score, leaders));
-  if (hull_ == before) line_up(std::move(leaders));
   return true;
 }
 
 void Selector::take(std::uint32_t candidate) {
   taken_.push_back(candidate);
-  states_[candidate] = State::taken;
-  ++out_;
-  const bool was_best = !line_.empty() && bound(candidate) == best_score_;
-  if (!line_.empty()) line_.pop_back();
-  if (widen_base(candidate) || (was_best && --best_in_line_ == 0)) line_.clear();
+  drop(candidate, State::taken);
+  widen_base(candidate);
   if (stands_) drop_colliding(candidate);
 }
 
-// Also clears the line, since another of the tied candidates may now be first.
+void Selector::drop(Index candidate, State state) {
+  states_[candidate] = state;
+  ++out_;
+  touch(candidate);
+}
+
 void Selector::drop_colliding(Index taken) {
   const Chord& team = candidates_[taken].chord;
   const auto collides = [&](const LiftingPoint& point) {
     return stands_->collide(point, team.r1) || stands_->collide(point, team.r2);
   };
   for (Index i = 0; i < candidates_.size(); ++i) {
-    if (!is_open(i)) continue;
-    if (!collides(candidates_[i].chord.r1) && !collides(candidates_[i].chord.r2)) continue;
-    states_[i] = State::dropped;
-    ++out_;
+    if (states_[i] != State::open) continue;
+    if (collides(candidates_[i].chord.r1) || collides(candidates_[i].chord.r2))
+      drop(i, State::dropped);
   }
-  line_.clear();
 }
 
 double Selector::score(std::uint32_t candidate) {
   for (End* end : {&ends_[2 * candidate], &ends_[2 * candidate + 1]})
     if (!end->gain.exact()) evaluate(*end);
+  touch(candidate);
   return bound(candidate);
 }
 
@@ -123,102 +110,120 @@ void Selector::evaluate(End& end) {
 void Selector::sharpen(Index candidate) {
   End &first = ends_[2 * candidate], &second = ends_[2 * candidate + 1];
   End& end = first.gain.certainty <= second.gain.certainty ? first : second;
+  touch(candidate);
   if (end.other_wedge) return evaluate(end);
   end.gain = wedges_[end.wedge].sharpen(end.position, end.gain);
 }
 
-Selector::Index Selector::best_by(Rule rule, Indices indices) const {
-  std::erase_if(indices, [&](Index i) { return !is_eligible(rule, candidates_[i]); });
-  for (const Key key : keys_of(rule))
-    keep_best(indices, key, floor_,
-              [&](Index i) { return value_of(key, candidates_[i], bound(i)); });
-  return indices.front();
+void Selector::Standing::raise_to(const Standing& other) {
+  for (const auto value :
+       {&Standing::score, &Standing::bound, &Standing::ratio, &Standing::length, &Standing::before})
+    this->*value = std::max(this->*value, other.*value);
+}
+
+double Selector::Standing::of(Key key) const {
+  return key == Key::score ? score : key == Key::ratio ? ratio : length;
+}
+
+Selector::Standing Selector::standing(Index candidate) const {
+  if (states_[candidate] != State::open) return {};
+  const double score = bound(candidate);
+  return {exact(candidate) ? score : Standing::none, exact(candidate) ? Standing::none : score,
+          candidates_[candidate].chord.ratio, candidates_[candidate].length,
+          -static_cast<double>(candidate)};
+}
+
+void Selector::update_standings() {
+  standings_.update([&](Index place) { return standing_at(place); });
+}
+
+template <class Value, class Passes>
+double Selector::greatest(Value value, Passes passes) const {
+  return standings_.greatest([&](Index place) { return standing_at(place); }, value, passes);
+}
+
+template <class Passes>
+Selector::Index Selector::first(Passes passes) const {
+  return static_cast<Index>(-greatest([](const Standing& s) { return s.before; }, passes));
+}
+
+// At each key, the candidates that tie with the best of those left stay.
+Selector::Index Selector::best_by(Rule rule) const {
+  const std::span<const Key> keys = keys_of(rule);
+  std::vector<double> best;
+  const auto passes = [&](const Standing& s) {
+    if (!is_eligible(rule, s.ratio)) return false;
+    for (std::size_t k = 0; k < best.size(); ++k) {
+      const double value = s.of(keys[k]);
+      if (value < best[k] && !ties(keys[k], best[k], value, floor_)) return false;
+    }
+    return true;
+  };
+  for (const Key key : keys)
+    best.push_back(greatest([&](const Standing& s) { return s.of(key); }, passes));
+  return first(passes);
 }
 
 // Lazy greedy selection (greedy_selector.h) evaluates the largest bound first. Open candidates that
 // cannot tie with the best keep their bounds.
-double Selector::find_best_score() {
-  double best = -std::numeric_limits<double>::infinity();
+void Selector::find_best_score() {
+  update_standings();
+  const auto [best_exact, largest] =
+      std::pair(standings_.greatest().score, standings_.greatest().bound);
+  double best = best_exact;
+  const auto can_tie = [&](double bound) { return ties(Key::score, best, bound, floor_); };
+  if (largest == Standing::none || !can_tie(largest)) return;
+  best = std::max(best, score(first([&](const Standing& s) { return s.bound >= largest; })));
   Indices open;  // without exact gains
-  for (Index i = 0; i < candidates_.size(); ++i) {
-    if (!is_open(i)) continue;
-    if (exact(i))
-      best = std::max(best, bound(i));
-    else
-      open.push_back(i);
-  }
+  standings_.for_each(
+      [&](Index place) { return standing_at(place); },
+      [&](const Standing& s) { return s.bound > Standing::none && can_tie(s.bound); },
+      [&](Index place) { open.push_back(by_evenness_[place]); });
   const auto smaller_bound = [&](Index a, Index b) {
     return bound(a) != bound(b) ? bound(a) < bound(b) : a > b;
   };
-  // Candidates that cannot tie with the best so far need not enter the heap.
-  if (!open.empty())
-    best = std::max(best, score(*std::max_element(open.begin(), open.end(), smaller_bound)));
-  std::erase_if(open, [&](Index i) { return exact(i) || !ties(best, bound(i)); });
   std::make_heap(open.begin(), open.end(), smaller_bound);
-  while (!open.empty() && ties(best, bound(open.front()))) {
+  while (!open.empty() && can_tie(bound(open.front()))) {
     std::pop_heap(open.begin(), open.end(), smaller_bound);
     const Index next = open.back();
     sharpen(next);
     if (exact(next)) best = std::max(best, bound(next));
-    if (exact(next) || !ties(best, bound(next)))
+    if (exact(next) || !can_tie(bound(next)))
       open.pop_back();
     else
       std::push_heap(open.begin(), open.end(), smaller_bound);
   }
-  return best;
+  update_standings();
 }
 
-// Evaluates and returns the open candidates that tie for the best score, in candidate order.
-Selector::Indices Selector::find_leaders() {
-  best_score_ = find_best_score();
-  Indices leaders;
-  for (Index i = 0; i < candidates_.size(); ++i)
-    if (is_open(i) && exact(i) && ties(best_score_, bound(i))) leaders.push_back(i);
-  return leaders;
-}
-
-void Selector::line_up(Indices leaders) {
-  std::erase_if(leaders, [&](Index i) { return !is_open(i); });
-  best_in_line_ = static_cast<std::size_t>(std::count_if(
-      leaders.begin(), leaders.end(), [&](Index i) { return bound(i) == best_score_; }));
-  if (best_in_line_ == 0) return;
-  const std::size_t needed = std::max<std::size_t>(most_teams_ - taken_.size(), 1);
-  line_ = order_of_taking(candidates_, std::move(leaders), needed);
-  std::reverse(line_.begin(), line_.end());
-}
-
-// Returns whether H changed. O(h) for h corners, plus new wedges.
-bool Selector::widen_base(Index candidate) {
-  Points hull =
-      widen_hull(hull_, ends_[2 * candidate].position, ends_[2 * candidate + 1].position, near_);
-  if (hull == hull_) return false;
-  const Points old_hull = std::exchange(hull_, std::move(hull));
-  floor_ = floor_of(surroundings_.diameter, metric_, hull_);
-  const Indices old_edges = std::exchange(edges_, {});
-
-  const auto corner = [](const Points& corners, std::size_t i) -> const Vec2& {
-    return corners[i % corners.size()];
+void Selector::widen_base(Index candidate) {
+  const auto added = [&](const End& end) -> GrowingBase::Added {
+    if (wedges_.empty() || !is_edge(end.wedge)) return {end.position, {}};
+    return {end.position, starts_[end.wedge]};
   };
-  // Corners that stay have the same order in both hulls, and at most two are new. Each search
-  // starts at the last corner found: O(h) in all.
-  std::size_t found = 0;
-  for (std::size_t i = 0; i < hull_.size(); ++i) {
-    const Vec2 &h1 = hull_[i], &h2 = corner(hull_, i + 1);
-    std::size_t steps = 0;
-    while (steps < old_hull.size() && corner(old_hull, found + steps) != h1) ++steps;
-    if (steps < old_hull.size()) {
-      found = (found + steps) % old_hull.size();
-      // The sides of a segment H never stay, since points on its line follow a special rule.
-      if (old_hull.size() > 2 && corner(old_hull, found + 1) == h2) {
-        edges_.push_back(old_edges[found]);
-        continue;
-      }
-    }
-    edges_.push_back(static_cast<Index>(wedges_.size()));
-    wedges_.emplace_back(surroundings_, metric_, h1, h2);
-    enter_wedge(edges_.back());
+  const Indices starts = base_.add(added(ends_[2 * candidate]), added(ends_[2 * candidate + 1]));
+  const auto first_new = static_cast<Index>(wedges_.size());
+  for (const Index start : starts) {
+    const auto wedge = static_cast<Index>(wedges_.size());
+    wedges_.emplace_back(surroundings_, metric_, base_.position(start),
+                         base_.position(base_.next(start)));
+    starts_.push_back(start);
+    wedge_at_.resize(std::max<std::size_t>(wedge_at_.size(), start + 1));
+    wedge_at_[start] = wedge;
+    enter_wedge(wedge);
   }
-  return true;
+  if (!starts.empty()) update_floor(first_new);
+}
+
+// For score_slack(). Rounding the ends of a short edge turns its line, which moves far at a distant
+// vertex. So the floor for `distance` grows as the shortest edge shrinks.
+void Selector::update_floor(Index first_new) {
+  if (!scores_are_lengths(metric_)) return;
+  for (Index wedge = first_new; wedge < wedges_.size(); ++wedge)
+    shortest_.emplace(-length(wedges_[wedge].h2() - wedges_[wedge].h1()), wedge);
+  while (!is_edge(shortest_.top().second)) shortest_.pop();
+  const double size = surroundings_.diameter, short_length = short_edge * size;
+  floor_ = score_floor * size * (short_length / std::min(short_length, -shortest_.top().first));
 }
 
 // Assigns to a new wedge the ends that C sees in it.
@@ -244,6 +249,7 @@ void Selector::enter_wedge(Index index) {
         end.wedge = index;
         end.other_wedge = other;
         end.gain = estimate(end);
+        touch(i / 2);
       });
 }
 
@@ -264,12 +270,10 @@ bool Selector::gains(const Wedge& wedge, const Vec2& p) const {
   const double distance = wedge.distance(p);
   if (distance <= 0) return false;
   if (distance > near_) return true;
-  if (hull_.size() <= 2) return false;
+  if (base_.size() <= 2) return false;
   // Near the line, p may still be far from H, beyond a corner.
-  for (std::size_t i = 0; i < hull_.size(); ++i) {
-    if (distance_to_segment(hull_[i], hull_[(i + 1) % hull_.size()], p) <= near_) return false;
-  }
-  return true;
+  if (distance_to_segment(wedge.h1(), wedge.h2(), p) <= near_) return false;
+  return !base_.is_near(p, near_);
 }
 
 }  // namespace evenlift

@@ -1,8 +1,12 @@
 // The greedy choice of teams (algorithm.md, Selection).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
+#include <queue>
+#include <utility>
 #include <vector>
 
 #include "evenlift/candidates.h"
@@ -10,6 +14,8 @@
 #include "evenlift/selection.h"
 #include "evenlift/stands.h"
 #include "selection/base_edge.h"
+#include "selection/growing_base.h"
+#include "selection/max_tree.h"
 #include "selection/rules.h"
 
 namespace evenlift {
@@ -17,21 +23,22 @@ namespace evenlift {
 // Lazy greedy evaluation (M. Minoux, Accelerated greedy algorithms for maximizing submodular set
 // functions, 1978). Each end of a candidate has an upper bound of its gain. The bound is refined,
 // and finally replaced by the gain, only while the candidate can still win. Gains do not always
-// diminish here, so an end gets a new bound when the edge of H in front of it changes. While H
-// stays the same, so do all gains; the candidates that tie for the best score then wait in a line.
+// diminish here, so an end gets a new bound when the edge of H in front of it changes.
 class Selector {
  public:
-  // The caller takes at most `most_teams`. The candidates and `stands` must outlive the selector.
-  // With `stands`, candidates whose robots collide with a taken team drop out.
+  // The candidates and `stands` must outlive the selector. With `stands`, candidates whose robots
+  // collide with a taken team drop out. O(m log m) for m candidates, without the vertices beyond
+  // new edges (base_edge.h).
   Selector(const PolygonWithHoles& object, const Vec2& centre,
            const std::vector<Candidate>& candidates, Metric metric,
-           std::size_t most_teams = ~std::size_t{0}, FirstTeam first = FirstTeam::even,
-           const Stands* stands = nullptr);
+           FirstTeam first = FirstTeam::even, const Stands* stands = nullptr);
 
   // Takes the best candidate left. Returns false if every candidate is taken or has dropped out.
+  // Usually O((k + 1) log m) for k ends that C sees through new edges or whose gain is evaluated;
+  // O(m) with `stands`, or if many candidates tie by one key but not by others.
   bool take_next();
 
-  // Takes this candidate, whatever its score.
+  // Takes this candidate, whatever its score. O(k log m), or O(m) with `stands`.
   void take(std::uint32_t candidate);
 
   const std::vector<std::uint32_t>& taken() const { return taken_; }
@@ -43,7 +50,7 @@ class Selector {
   double score(std::uint32_t candidate);
 
   // Evaluates candidates like take_next(), but takes none.
-  void compare() { find_leaders(); }
+  void compare() { find_best_score(); }
 
   // The known gain of a candidate's end (0: r1, 1: r2), the wedge of the edge of H in front of the
   // end, and whether the end is outside H. At least one team must be taken.
@@ -58,7 +65,7 @@ class Selector {
   }
 
   // The corners of H, relative to C.
-  const Points& base() const { return hull_; }
+  Points base() const { return base_.positions(); }
 
   // Scores that differ by at most the floor always tie. For distance, the floor depends on H.
   double floor() const { return floor_; }
@@ -77,13 +84,26 @@ class Selector {
     Gain gain;
   };
   enum class State : std::uint8_t { open, taken, dropped };
-  bool is_open(Index candidate) const { return states_[candidate] == State::open; }
-  Index best_by(Rule rule, Indices indices) const;
-  double find_best_score();
-  Indices find_leaders();
-  bool ties(double best, double score) const {
-    return evenlift::ties(Key::score, best, score, floor_);
-  }
+
+  // What is known of an open candidate, or the greatest of several. The score of a candidate counts
+  // once both gains are exact; until then there is an upper bound.
+  struct Standing {
+    static constexpr double none = -std::numeric_limits<double>::infinity();
+    double score = none, bound = none, ratio = none, length = none;
+    double before = none;  // minus the candidate, for the first one in candidate order
+    void raise_to(const Standing& other);
+    double of(Key key) const;
+  };
+  Standing standing(Index candidate) const;
+  Standing standing_at(Index place) const { return standing(by_evenness_[place]); }
+  void touch(Index candidate) { standings_.touch(place_[candidate]); }
+  void update_standings();
+  template <class Value, class Passes>
+  double greatest(Value value, Passes passes) const;  // as by MaxTree
+  template <class Passes>
+  Index first(Passes passes) const;  // in candidate order
+  Index best_by(Rule rule) const;
+  void find_best_score();
   double bound(Index candidate) const {
     return ends_[2 * candidate].gain.value + ends_[2 * candidate + 1].gain.value;
   }
@@ -93,34 +113,41 @@ class Selector {
   double evaluate(const End& end, Index wedge) const;
   void evaluate(End& end);
   void sharpen(Index candidate);
-  bool widen_base(Index candidate);
+  void widen_base(Index candidate);
+  // Whether the wedge is that of an edge of H.
+  bool is_edge(Index wedge) const {
+    return base_.has(starts_[wedge]) && wedge_at_[starts_[wedge]] == wedge;
+  }
+  void update_floor(Index first_new);
   void enter_wedge(Index index);
   Gain estimate(const End& end) const;
   bool gains(const Wedge& wedge, const Vec2& p) const;
-  void line_up(Indices leaders);
+  void drop(Index candidate, State state);
   void drop_colliding(Index taken);
 
   const std::vector<Candidate>& candidates_;
   Surroundings surroundings_;
   Metric metric_;
-  std::size_t most_teams_;
   FirstTeam first_;
   double near_;   // tau L
   double floor_;  // see floor()
 
   std::vector<End> ends_;      // candidate i has the ends 2 i (r1) and 2 i + 1 (r2)
   Indices by_direction_;       // the ends by pseudo-angle
-  Points hull_;                // corners of H relative to C, counter-clockwise
-  Indices edges_;              // the wedge of each edge, from corner i to i + 1
-  std::vector<Wedge> wedges_;  // also those of past edges, so that indices stay valid
+  GrowingBase base_;           // H relative to C
+  std::vector<Wedge> wedges_;  // of all edges, past ones too, so that indices stay valid
+  Indices starts_;             // the corner at which each wedge's edge begins
+  Indices wedge_at_;           // the wedge of the edge that begins at each corner of H
+  std::priority_queue<std::pair<double, Index>>
+      shortest_;  // minus lengths of edges, with their wedges
 
   const Stands* stands_;
   std::size_t out_ = 0;        // candidates taken or dropped
   std::vector<State> states_;  // of the candidates
   std::vector<std::uint32_t> taken_;
-  Indices line_;                  // candidates to take while H stays the same, in reverse order
-  std::size_t best_in_line_ = 0;  // the number of those with exactly the best score
-  double best_score_ = 0;
+  // Even candidates come first, since many of them tie by their ratio.
+  Indices by_evenness_, place_;
+  MaxTree<Standing> standings_;
 };
 
 }  // namespace evenlift

@@ -42,8 +42,8 @@ inline Rule rule_of_first_team(const std::vector<Candidate>& candidates, FirstTe
              : Rule::most_even;
 }
 
-inline bool is_eligible(Rule rule, const Candidate& candidate) {
-  return rule != Rule::longest_even || is_even(candidate.chord);
+inline bool is_eligible(Rule rule, double ratio) {
+  return rule != Rule::longest_even || ratio >= even_ratio;
 }
 
 inline double value_of(Key key, const Candidate& candidate, double score) {

@@ -20,7 +20,7 @@ Chord make_chord(const RayCaster::Hit& ahead, const RayCaster::Hit& behind, cons
 std::vector<std::uint32_t> select_teams(const PolygonWithHoles& object, const Vec2& centre,
                                         const std::vector<Candidate>& candidates, Metric metric,
                                         std::size_t teams, FirstTeam first, const Stands* stands) {
-  Selector selector(object, centre, candidates, metric, teams, first, stands);
+  Selector selector(object, centre, candidates, metric, first, stands);
   while (selector.taken().size() < teams && selector.take_next()) {
   }
   return selector.taken();

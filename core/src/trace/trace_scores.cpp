@@ -71,15 +71,15 @@ void score_first_team(const std::vector<Candidate>& candidates, FirstTeam first,
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     Score& score = scores.of_candidate[i];
     score.value = value_of(keys_of(scores.rule).front(), candidates[i], 0);
-    score.eligible = is_eligible(scores.rule, candidates[i]);
+    score.eligible = is_eligible(scores.rule, candidates[i].chord.ratio);
   }
 }
 
 double score_further_team(const Trace& trace, TeamScores& scores) {
   const Placement& placement = trace.placement;
   const std::vector<Candidate>& candidates = placement.candidates;
-  Selector selector(trace.object(), trace.centre, candidates, trace.metric(), ~std::size_t{0},
-                    FirstTeam::even, placement.stands.get());
+  Selector selector(trace.object(), trace.centre, candidates, trace.metric(), FirstTeam::even,
+                    placement.stands.get());
   for (std::uint32_t i = 0; i < scores.team; ++i) {
     const std::uint32_t taken = trace.selected()[i];
     selector.take(taken);
