@@ -41,9 +41,9 @@ TEST_CASE("a search for many robots on a winding outline ends by its limit, and 
   Vec2 sum;
   for (const LiftingPoint& robot : robots) sum += robot.position - placement.centre_of_mass;
   CHECK(length(sum) <= 1e-9 * 24 * placement.polygon().diameter());
-  CHECK(search.work == 0);
+  CHECK(search.work.steps == 0);
   while (!search.finished) {
-    REQUIRE(search.work < most_steps);
+    REQUIRE(search.work.steps < most_steps);
     search = try_next_triple(problem, std::move(search)).search;
   }
   CHECK(search.cut_short);

@@ -4,7 +4,8 @@
 //   evenlift_soak KIND NUMBER          one case
 //
 // Kinds: `oracle` compares the core with the exact oracle; `one-shape` compares a shape with copies
-// turned, mirrored, moved and scaled. Prints each failure with the command that repeats it, and at
+// turned, mirrored, moved and scaled; `bounds` answers requests of any size within their bounds of
+// time. Prints each failure with the command that repeats it, and at
 // the end one line: the numbers of cases tried, skipped and failed.
 #include <chrono>
 #include <cstdint>
@@ -22,6 +23,7 @@
 #include "shapes/holed_polygons.h"
 #include "shapes/problem_document.h"
 #include "shapes/small_polygons.h"
+#include "soak/bounds.h"
 
 namespace {
 
@@ -63,11 +65,16 @@ Outcome try_one_shape(std::uint64_t number) {
   return {.differences = c.name + "\n" + one_shape::text(document, motion) + "\n" + differences};
 }
 
+Outcome try_bounds(std::uint64_t number) {
+  return {.differences = bounds::exceeded(bounds::make_case(number))};
+}
+
 struct Kind {
   std::string_view name;
   Outcome (*attempt)(std::uint64_t number);
 };
-constexpr Kind kinds[] = {{"oracle", try_oracle}, {"one-shape", try_one_shape}};
+constexpr Kind kinds[] = {
+    {"oracle", try_oracle}, {"one-shape", try_one_shape}, {"bounds", try_bounds}};
 
 struct Totals {
   std::uint64_t tried = 0, passed_over = 0, failed = 0;

@@ -71,6 +71,25 @@ BalancedKeys balanced_keys(const BalancedProblem& problem, const std::vector<Lif
 bool is_better(const BalancedProblem& problem, const std::vector<LiftingPoint>& a,
                const std::vector<LiftingPoint>& b);
 
+// What a search has done, counted, not timed, so that the limits are the same on all platforms. A
+// step is a set that is compared; the candidates that are found and the keys that are computed for
+// it count more (Rules::steps_of()). A processor takes 40 to 100 million steps in a second.
+struct BalancedWork {
+  std::uint64_t steps = 0;
+  // Counted only if the boundary (PolygonWithHoles::boundary()) has more than 1,000 vertices: each
+  // completion (finding the even candidates about one point) of the swaps that are not tried from a
+  // second start counts 1, plus 1 for every 100 even candidates about C.
+  std::uint64_t completions = 0;
+};
+
+// A search ends when it has done more. The first two are for boundaries of up to 1,000 vertices, the
+// next two for larger ones. The start has a limit of its own.
+inline constexpr std::uint64_t most_steps = 350'000'000;
+inline constexpr std::uint64_t most_start_steps = 80'000'000;
+inline constexpr std::uint64_t most_steps_if_large = 1'000'000'000;
+inline constexpr std::uint64_t most_start_steps_if_large = 500'000'000;
+inline constexpr std::uint64_t most_work = 150'000;  // of BalancedWork::completions
+
 // The state of a search. Each step depends only on this state and on the problem, so a search can
 // be copied and continued elsewhere.
 struct BalancedSearch {
@@ -82,22 +101,13 @@ struct BalancedSearch {
                                      // swap, after most_rounds rounds, because it was cut short,
                                      // or because there are only two robots
   bool restarted = false;            // whether the search looked for a second start
-  std::uint64_t work = 0;            // the cost of the swaps so far (see most_work)
-  std::uint64_t work_before_restart = 0;
-  bool cut_short = false;  // whether a limit of work ended the start or the search
+  BalancedWork work, work_before_restart;  // of the swaps so far
+  bool cut_short = false;                  // whether a limit of work ended the start or the search
 };
 inline constexpr std::uint32_t most_rounds = 8;
 
-// The limit on the work of a search. Work is counted, not timed, so that the limit is the same on
-// all platforms. If the boundary (PolygonWithHoles::boundary()) has more than 1,000 vertices, a
-// completion (finding the even candidates about one point) counts 1, plus 1 for every 100 even
-// candidates about C, up to `most_work`. Otherwise what is done is counted, up to `most_steps`, of
-// which a processor takes some fifty million in a second: 1 for each set that is compared, and
-// more for each of its keys that is computed (Rules::steps_of()). A second start counts, too. The start
-// has a limit of its own.
-inline constexpr std::uint64_t most_work = 150'000;
-inline constexpr std::uint64_t most_steps = 300'000'000;
-inline constexpr std::uint64_t most_start_steps = 60'000'000;
+// The part of its limit of work that a search has used, about 1 if the limit ended it. O(1).
+double work_used(const BalancedProblem& problem, const BalancedSearch& search);
 
 // Starts a search with the set S_m of algorithm.md. If there is no S_m, robots with a size may
 // start with another set (algorithm.md, Robots with a size); otherwise the function returns

@@ -58,12 +58,19 @@ struct CapacityPlan {
   double greatest_load = 0;  // of a robot, if `possible`
   std::uint32_t tried = 0;   // the greatest number of teams tried. If no number of teams of two
                              // suffices and `tried` is below most_teams_tried(), there is no
-                             // place for more, or check_swaps() (swaps.h) refuses more
+                             // place for more, check_swaps() (swaps.h) refuses more, or the plan
+                             // is cut short
   // The number of robots in a team. All balanced robots form one team; if no number of them
   // suffices, this is most_robots.
   std::uint32_t team_size = 2;
+  bool cut_short = false;  // whether most_work_planned ended the plan
   bool operator==(const CapacityPlan&) const = default;
 };
+
+// A plan for which each number of robots needs a search of its own tries no more numbers once these
+// searches have taken this part of the work that one search may take (most_steps in balanced.h,
+// most_swap_steps in swaps.h).
+inline constexpr double most_work_planned = 0.5;
 
 // Makes a plan for the object of `placement`, a result of place(), with its candidates. Each robot
 // carries up to `capacity` > 0, in the unit of the weight. The plan depends on the polygon, the
@@ -74,7 +81,8 @@ struct CapacityPlan {
 // another. So the first k teams of a selection are a placement of k teams, and a plan costs as much
 // as selecting the needed teams. With equal angles, each number of teams has its own places; for
 // each number, the plan computes loads only, up to the first overloaded robot. If teams are
-// swapped, each number of teams also has its own places, and needs its own swaps. The least number
+// swapped, each number of teams also has its own places, and needs its own swaps, up to
+// most_work_planned. The least number
 // of balanced robots follows from the weight, the capacity and the failures to survive; the plan
 // does not check whether such a set exists. For given supports no plan is possible.
 CapacityPlan plan_capacity(const Placement& placement, double capacity);
@@ -101,8 +109,8 @@ struct FailurePlan {
 // (swaps.h) refuses more, or after most_teams_tried() teams (for balanced robots, after
 // most_robots). It also ends before it would compute more loads in all than `most_loads_planned`; m
 // robots need m^2, and m^3 if heights are off. For balanced robots it tries at most
-// `most_sets_planned` different numbers, each with a whole search. For given supports no plan is
-// possible.
+// `most_sets_planned` different numbers, each with a whole search. Searches and swaps together are
+// limited by most_work_planned. For given supports no plan is possible.
 inline constexpr std::uint64_t most_loads_planned = std::uint64_t{1} << 21;
 inline constexpr std::uint32_t most_sets_planned = 8;
 FailurePlan plan_for_failures(const ShownPlacement& of, double capacity);

@@ -41,7 +41,7 @@ class Stands;
 
 inline constexpr std::uint32_t most_swapped_teams = 32;
 inline constexpr std::uint64_t most_swaps = std::uint64_t{1} << 22;
-inline constexpr std::uint64_t most_swap_steps = 200'000'000;
+inline constexpr std::uint64_t most_swap_steps = 300'000'000;
 inline constexpr std::size_t most_candidates_for_pairs = 100;
 
 // The keys by which choices of teams are compared.
@@ -83,6 +83,7 @@ struct SwapHistory {
   std::vector<Swap> swaps;
   bool settled = false;     // whether the last round found nothing better
   bool cut_short = false;   // whether most_swap_steps ended the search
+  std::uint64_t steps = 0;  // the work
   std::uint64_t tried = 0;  // the number of choices compared
 
   const std::vector<std::uint32_t>& taken() const {
@@ -112,12 +113,14 @@ std::optional<Swap> best_swap_of(const PolygonWithHoles& object, const Vec2& cen
                                  const std::vector<std::uint32_t>& taken, std::uint32_t team,
                                  const HoldRequirements& hold, const Stands* stands = nullptr);
 
-// The teams for these settings, as indices into `candidates`, and SwapHistory::cut_short. The method
+// The teams for these settings, as indices into `candidates`, whether the swaps were cut short, and
+// the part of their limit of work that they took (about 1 if they were cut short). The method
 // must choose among candidates. The teams are selected (selection.h) and, if the goal is to hold,
 // swapped; in that case check_swaps() must allow the swaps.
 struct ChosenTeams {
   std::vector<std::uint32_t> taken;
   bool cut_short = false;
+  double work = 0;
 };
 ChosenTeams choose_candidates(const PolygonWithHoles& object, const Vec2& centre,
                               const std::vector<Candidate>& candidates, const Settings& settings,

@@ -22,10 +22,14 @@ Vec2 middle_of_two_more(const std::vector<LiftingPoint>& robots, const Vec2& cen
 }
 
 std::vector<Candidate> pairs_to_complete(const Rules& rules,
-                                         const std::vector<LiftingPoint>& robots) {
+                                         const std::vector<LiftingPoint>& robots,
+                                         std::uint64_t& steps) {
   const Vec2 middle = middle_of_two_more(robots, rules.centre());
   if (!strictly_inside(rules.polygon().hull(), middle)) return {};
-  return rules.chords().some_about(middle);
+  std::uint64_t compared = 0;
+  std::vector<Candidate> pairs = rules.chords().some_about(middle, compared);
+  steps += compared / 4 + 10 * pairs.size();
+  return pairs;
 }
 
 std::vector<Candidate> all_pairs_to_complete(const Rules& rules,
@@ -62,9 +66,9 @@ void Best::complete(const std::vector<LiftingPoint>& robots, std::size_t added,
   // Adding robots never reduces the number of near pairs.
   ++steps_;
   if (set_ && near_pairs > set_->near_pairs) return;
-  for (const Candidate& candidate : pairs_to_complete(rules_, robots)) {
+  for (const Candidate& candidate : pairs_to_complete(rules_, robots, steps_)) {
     const LiftingPoint &r1 = candidate.chord.r1, &r2 = candidate.chord.r2;
-    if (rules_.room()) steps_ += robots.size();
+    if (rules_.room()) steps_ += 2 * robots.size();
     // The two do not collide with each other.
     if (rules_.collides(robots, robots.size(), r1) || rules_.collides(robots, robots.size(), r2))
       continue;

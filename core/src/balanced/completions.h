@@ -14,9 +14,11 @@ Vec2 middle_of_two_more(const std::vector<LiftingPoint>& robots, const Vec2& cen
 
 // The even candidates whose two ends, together with the robots, have the centroid C; none if
 // middle_of_two_more() is not strictly inside the convex hull of P. If the outline has more than
-// 1,000 vertices and many such candidates, only some are returned (EvenChords::some_about).
+// 1,000 vertices and many such candidates, only some are returned (EvenChords::some_about). Adds the
+// work to `steps` (most_steps in balanced.h).
 std::vector<Candidate> pairs_to_complete(const Rules& rules,
-                                         const std::vector<LiftingPoint>& robots);
+                                         const std::vector<LiftingPoint>& robots,
+                                         std::uint64_t& steps);
 
 // All such candidates, for any outline.
 std::vector<Candidate> all_pairs_to_complete(const Rules& rules,

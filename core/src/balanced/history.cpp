@@ -66,7 +66,7 @@ void follow(const BalancedProblem& problem, BalancedHistory& history) {
     const bool restarts = may_restart && search.restarted && !search.finished;
     if (step.swap && !restarts) history.moves.push_back(move_of(rules, step, before, round));
     if (!restarts) continue;
-    std::uint64_t work = search.work_before_restart;
+    BalancedWork work = search.work_before_restart;
     note_start(*balanced::second_start(rules, last_before(step, before), work), history);
   }
   history.settled = !search.cut_short &&
@@ -97,7 +97,8 @@ Completions completions(const BalancedProblem& problem, const std::vector<Liftin
   const Rules& rules = problem.rules();
   Completions result;
   result.middle = balanced::middle_of_two_more(robots, rules.centre());
-  for (const Candidate& candidate : balanced::pairs_to_complete(rules, robots))
+  std::uint64_t steps = 0;
+  for (const Candidate& candidate : balanced::pairs_to_complete(rules, robots, steps))
     result.chords.push_back(candidate.chord);
   return result;
 }

@@ -71,10 +71,17 @@ Rules::Rules(PolygonWithHoles object, const Vec2& centre, const Settings& settin
   near_square_ = near * near;
 }
 
+double Rules::used(const BalancedWork& work) const {
+  const std::uint64_t most = is_large() ? most_steps_if_large : most_steps;
+  return std::max(static_cast<double>(work.steps) / static_cast<double>(most),
+                  static_cast<double>(work.completions) / most_work);
+}
+
 std::uint64_t Rules::steps_of(const RatedSet& set) const {
   const std::uint64_t robots = set.robots.size();
-  return 1 + robots / 8 + (set.hull ? robots / 2 : 0) + (set.steady ? 10 * robots : 0) +
-         (set.level ? 2 * robots : 0) + set.steps_of_coverage;
+  constexpr std::uint64_t of_coarse_cover = 8;
+  return 1 + robots / 8 + (set.hull ? robots + robots * robots / 64 + of_coarse_cover : 0) +
+         (set.steady ? 40 * robots : 0) + (set.level ? 2 * robots : 0) + set.steps_of_coverage;
 }
 
 std::uint32_t Rules::near_pairs(const std::vector<LiftingPoint>& robots, std::size_t number,

@@ -49,11 +49,12 @@ class Rules {
   const EvenChords& chords() const { return chords_; }
   const Outline& outline() const { return outline_; }
   const std::vector<LiftingPoint>& stands() const { return stands_; }
-  // The cost of a completion in units of most_work (balanced.h). It is 0 for outlines on which steps
-  // are counted instead.
+  // What a completion adds to BalancedWork::completions; 0 if they are not counted.
   std::uint64_t work_of_completion() const { return work_of_completion_; }
-  // The limit on the work of a search: most_work, or most_steps.
-  std::uint64_t work_limit() const { return work_of_completion_ > 0 ? most_work : most_steps; }
+  // Whether the boundary has more than 1,000 vertices.
+  bool is_large() const { return work_of_completion_ > 0; }
+  // The part of the limits (balanced.h) that this work uses; 1 or more if it exceeds one.
+  double used(const BalancedWork& work) const;
   // The steps that it took to compute those keys of a set that are known. O(1).
   std::uint64_t steps_of(const RatedSet& set) const;
   const std::vector<Triple>& triples() const { return triples_; }

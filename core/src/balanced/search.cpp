@@ -33,7 +33,7 @@ BalancedSearch restarted(const Rules& rules, BalancedSearch search) {
   search.restarted = true;
   search.work_before_restart = search.work;
   const auto second = balanced::second_start(rules, search.robots, search.work);
-  const bool spent = search.work >= rules.work_limit();
+  const bool spent = rules.used(search.work) >= 1;
   search.cut_short |= spent;
   if (!second || spent) return search;
   search.robots = second->back()->set.robots;
@@ -43,9 +43,9 @@ BalancedSearch restarted(const Rules& rules, BalancedSearch search) {
 }
 
 BalancedSearch ended(const Rules& rules, BalancedSearch search, std::uint64_t steps) {
-  search.work +=
-      rules.work_of_completion() > 0 ? rules.stands().size() * rules.work_of_completion() : steps;
-  search.finished = search.work >= rules.work_limit();
+  search.work.steps += steps;
+  search.work.completions += rules.stands().size() * rules.work_of_completion();
+  search.finished = rules.used(search.work) >= 1;
   search.cut_short |= search.finished;
   if (search.finished || search.next < rules.triples().size()) return search;
   ++search.round;
@@ -83,6 +83,10 @@ std::optional<BalancedSearch> start_balanced(const BalancedProblem& problem) {
   search.robots = std::move(sets.back()->set.robots);
   search.finished = rules.robots() < 3;
   return search;
+}
+
+double work_used(const BalancedProblem& problem, const BalancedSearch& search) {
+  return problem.rules().used(search.work);
 }
 
 bool is_quick_to_start(const BalancedProblem& problem) {

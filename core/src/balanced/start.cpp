@@ -10,7 +10,7 @@ namespace evenlift::balanced {
 namespace {
 
 bool is_spent(const Rules& rules, std::uint64_t steps) {
-  return rules.work_of_completion() == 0 && steps >= most_start_steps;
+  return steps >= (rules.is_large() ? most_start_steps_if_large : most_start_steps);
 }
 
 // The trial points from which S_4 begins.
@@ -20,8 +20,10 @@ std::optional<StartSet> next_set(const Rules& rules, const StartSets& sets, Begi
                                  std::uint64_t& steps) {
   const std::size_t number = sets.size();
   Best best(rules);
-  // Once the steps are spent, any set will do.
-  const auto goes_on = [&] { return !best.set() || !is_spent(rules, steps + best.steps()); };
+  // Once the steps are spent, any set will do, and none if usable_sets() can take its place.
+  const auto goes_on = [&] {
+    return !is_spent(rules, steps + best.steps()) || (!best.set() && !rules.room());
+  };
   if (sets[number - 2]) best.offer_two_more(sets[number - 2]->set.robots);
   if (number >= 3 && sets[number - 3] && goes_on())
     best.offer_three_more(sets[number - 3]->set.robots);
@@ -42,16 +44,15 @@ StartSets chain(const Rules& rules, Begin begin, std::uint64_t& steps) {
   return sets;
 }
 
-// The result of the swaps from a start. Where steps are counted, they add to `work`.
-RatedSet end_of(const Rules& rules, const RatedSet& start, std::uint64_t& work) {
-  const bool counts_steps = rules.work_of_completion() == 0;
+// The result of the swaps from a start, whose steps add to `work`.
+RatedSet end_of(const Rules& rules, const RatedSet& start, BalancedWork& work) {
   BalancedSearch search;
   search.robots = rules.in_order(start).robots;
   search.finished = rules.robots() < 3;
   search.restarted = true;
-  if (counts_steps) search.work = work;
+  search.work.steps = work.steps;
   const BalancedSearch end = finish_search(rules, std::move(search));
-  if (counts_steps) work = end.work;
+  work.steps = end.work.steps;
   return rules.rated(end.robots);
 }
 
@@ -61,7 +62,7 @@ StartSet whole(const Rules& rules, const RatedSet& set) {
 }
 
 std::optional<StartSets> start_that_leads_farther(const Rules& rules, RatedSet now,
-                                                  std::uint64_t& work) {
+                                                  BalancedWork& work) {
   std::optional<StartSets> start;
   for (const RatedSet& set : usable_sets(rules, most_starts)) {
     RatedSet end = end_of(rules, set, work);
@@ -84,13 +85,13 @@ StartSets start_sets(const Rules& rules, bool* cut_short) {
 }
 
 std::optional<StartSets> second_start(const Rules& rules, const std::vector<LiftingPoint>& robots,
-                                      std::uint64_t& work) {
+                                      BalancedWork& work) {
   RatedSet now = rules.rated(robots);
   if (rules.room()) return start_that_leads_farther(rules, std::move(now), work);
   if (rules.robots() <= 4 || !rules.misses_hold(now)) return std::nullopt;
   std::uint64_t steps = 0;
   StartSets sets = chain(rules, Begin::at_every_stand, steps);
-  if (rules.work_of_completion() == 0) work += steps;
+  work.steps += steps;
   if (!sets.back() || !rules.holds_better(sets.back()->set, now)) return std::nullopt;
   return sets;
 }

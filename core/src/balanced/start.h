@@ -25,8 +25,8 @@ using StartSets = std::vector<std::optional<StartSet>>;
 StartSets start_sets(const Rules& rules, bool* cut_short = nullptr);
 
 // The start from which the search begins again after it ended with `now`; nothing if no better
-// start is found. If steps are counted (most_steps in balanced.h), those that it takes add to
-// `work`; if this reaches the limit, the result is incomplete.
+// start is found. The steps that it takes add to `work`; if this reaches the limit, the result is
+// incomplete.
 //   - If robots have a size or there are no-go parts, the swaps are tried from each of the best
 //     sets on usable intervals, at most most_starts of them. If the best result is better than
 //     `now`, the returned list contains only the set that leads to it.
@@ -36,6 +36,6 @@ StartSets start_sets(const Rules& rules, bool* cut_short = nullptr);
 //     This helps with regular polygons, where the first start is symmetrical about C.
 inline constexpr std::size_t most_starts = 6;
 std::optional<StartSets> second_start(const Rules& rules, const std::vector<LiftingPoint>& now,
-                                      std::uint64_t& work);
+                                      BalancedWork& work);
 
 }  // namespace evenlift::balanced

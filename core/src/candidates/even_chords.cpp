@@ -53,8 +53,9 @@ class EvenChords::Search {
     slack_ = 4 * near_ + rounding * (chords.size_ + max_norm(centre));
   }
 
-  std::vector<Candidate> run() {
+  std::vector<Candidate> run(std::uint64_t& compared) {
     visit(0, 0);
+    compared += compared_;
     return std::move(found_);
   }
 
@@ -66,6 +67,7 @@ class EvenChords::Search {
 
   void visit(std::uint32_t i, std::uint32_t j) {
     const EdgeTree::Node &a = tree_.node(i), &b = tree_.node(j);
+    ++compared_;
     if (found_.size() >= most_ || !can_meet(a.box, b.box)) return;
     if (i == j) {
       if (a.is_leaf()) return compare_edges(a, b);
@@ -85,6 +87,7 @@ class EvenChords::Search {
   }
 
   void compare_edges(const EdgeTree::Node& a, const EdgeTree::Node& b) {
+    compared_ += (a.end - a.begin) * (b.end - b.begin);
     for (std::uint32_t i = a.begin; i < a.end; ++i)
       for (std::uint32_t j = &a == &b ? i + 1 : b.begin; j < b.end; ++j)
         if (may_meet(i, j)) add(i, j);
@@ -107,6 +110,7 @@ class EvenChords::Search {
   }
 
   void add(std::uint32_t i, std::uint32_t j) {
+    compared_ += stands_ ? of_pair_with_stands : of_pair;
     if (stands_ && stands_->robot().depth > 0) return add_moved(edges_[i], edges_[j]);
     add_pair(edges_[i], edges_[j]);
     add_opposite(edges_[i], edges_[j]);
@@ -144,6 +148,9 @@ class EvenChords::Search {
     if (reaches(candidate.chord, 1)) found_.push_back(candidate);
   }
 
+  // What a pair of edges that may meet costs, in comparisons.
+  static constexpr std::uint64_t of_pair = 60, of_pair_with_stands = 160;
+
   const EdgeTree& tree_;
   const std::vector<LineEnds>& lines_;
   const std::vector<std::uint32_t>& edges_;
@@ -152,6 +159,7 @@ class EvenChords::Search {
   Vec2 centre_, twice_;
   std::size_t most_;
   double near_ = 0, slack_ = 0;
+  std::uint64_t compared_ = 0;
   std::vector<Candidate> found_;
 };
 
@@ -204,21 +212,27 @@ std::vector<Candidate> EvenChords::in_order(const std::vector<Candidate>& found)
 }
 
 std::vector<Candidate> EvenChords::about(const Vec2& centre) const {
-  constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
-  return in_order(Search(*this, all_, centre, all).run());
+  std::uint64_t compared = 0;
+  return about(centre, compared);
 }
 
-std::vector<Candidate> EvenChords::some_about(const Vec2& centre) const {
+std::vector<Candidate> EvenChords::about(const Vec2& centre, std::uint64_t& compared) const {
+  constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+  return in_order(Search(*this, all_, centre, all).run(compared));
+}
+
+std::vector<Candidate> EvenChords::some_about(const Vec2& centre, std::uint64_t& compared) const {
   constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
   for (const Sample& sample : samples_) {
-    std::vector<Candidate> found = Search(*this, sample, centre, all).run();
+    std::vector<Candidate> found = Search(*this, sample, centre, all).run(compared);
     if (found.size() >= enough_chords) return in_order(found);
   }
-  return about(centre);
+  return about(centre, compared);
 }
 
 std::size_t EvenChords::count_about(const Vec2& centre, std::size_t most) const {
-  return std::min(most, Search(*this, all_, centre, most).run().size());
+  std::uint64_t compared = 0;
+  return std::min(most, Search(*this, all_, centre, most).run(compared).size());
 }
 
 }  // namespace evenlift

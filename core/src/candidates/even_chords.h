@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "evenlift/candidates.h"
@@ -34,9 +35,10 @@ class EvenChords {
   // enough candidates, duplicates included, is used. Only an edge's number in the walk decides
   // which samples contain the edge. A strongly winding outline may have a hundred thousand even
   // chords about one centre, but a search needs only some of them. O(log n) for each place where
-  // the sample meets its mirror image.
+  // the sample meets its mirror image. Adds the work to `compared`, about the
+  // number of boxes and edges compared.
   static constexpr std::size_t enough_chords = 32;
-  std::vector<Candidate> some_about(const Vec2& centre) const;
+  std::vector<Candidate> some_about(const Vec2& centre, std::uint64_t& compared) const;
 
   // Returns the number of even candidates, duplicates included, but at most `most`. On a strongly
   // winding outline the count soon reaches `most`, so this function is fast where about() is slow.
@@ -53,6 +55,7 @@ class EvenChords {
   };
   static Sample sample_of(const Polygon& polygon, const Stands* stands,
                           const std::vector<std::uint32_t>& edges);
+  std::vector<Candidate> about(const Vec2& centre, std::uint64_t& compared) const;
   std::vector<Candidate> in_order(const std::vector<Candidate>& found) const;
 
   const Polygon& polygon_;

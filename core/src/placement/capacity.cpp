@@ -77,17 +77,19 @@ CapacityPlan plan_by_swap(const Placement& placement, double capacity) {
   const double weight = placement.weight();
   const auto& candidates = placement.candidates;
   const std::uint32_t most = most_with_room(placement);
+  double work = 0;
   for (std::uint32_t teams = least_teams(weight, capacity); teams <= most; ++teams) {
     if (check_swaps(candidates.size(), teams, placement.stands.get()))
       return {false, 0, 0, teams - 1, 2};
-    const std::vector<std::uint32_t> chosen =
+    const ChosenTeams chosen =
         choose_candidates(placement.object, placement.centre_of_mass, candidates,
-                          placement.settings, teams, placement.stands.get())
-            .taken;
+                          placement.settings, teams, placement.stands.get());
     double greatest = 0;
-    for (const std::uint32_t i : chosen)
+    for (const std::uint32_t i : chosen.taken)
       greatest = std::max(greatest, weight / teams * greater_share(candidates[i].chord));
     if (!exceeds(greatest, capacity)) return {true, teams, greatest, teams, 2};
+    work += chosen.work;
+    if (work > most_work_planned) return {false, 0, 0, teams, 2, teams < most};
   }
   return {false, 0, 0, most, 2};
 }

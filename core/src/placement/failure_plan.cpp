@@ -21,6 +21,9 @@ class Placer {
 
   bool is_balanced() const { return placement_.settings.method == Method::balanced; }
 
+  // Of all searches so far, in limits of one.
+  double work() const { return work_; }
+
   // Empty if the method cannot place this number.
   std::vector<Team> teams(std::uint32_t robots) {
     const Settings& settings = placement_.settings;
@@ -48,30 +51,34 @@ class Placer {
   }
 
  private:
-  std::vector<Team> balanced(std::uint32_t robots) const {
+  std::vector<Team> balanced(std::uint32_t robots) {
     Settings settings = placement_.settings;
     settings.robots = robots;
     const BalancedProblem problem(placement_.object, placement_.centre_of_mass, settings);
     auto search = start_balanced(problem);
     if (!search) return {};
-    return {share_evenly(finish_search(problem, *std::move(search)).robots,
-                         placement_.centre_of_mass, total_weight(settings))};
+    const BalancedSearch end = finish_search(problem, *std::move(search));
+    work_ += work_used(problem, end);
+    return {share_evenly(end.robots, placement_.centre_of_mass, total_weight(settings))};
   }
 
   // Without swaps, a smaller choice is the beginning of a larger one.
   std::vector<std::uint32_t> chosen(std::size_t number) {
     const bool swapped = swaps_teams(placement_.settings);
-    if (swapped || chosen_.size() < number)
-      chosen_ = choose_candidates(placement_.object, placement_.centre_of_mass,
-                                  placement_.candidates, placement_.settings,
-                                  swapped ? number : 2 * number, placement_.stands.get())
-                    .taken;
+    if (swapped || chosen_.size() < number) {
+      ChosenTeams teams = choose_candidates(placement_.object, placement_.centre_of_mass,
+                                            placement_.candidates, placement_.settings,
+                                            swapped ? number : 2 * number, placement_.stands.get());
+      chosen_ = std::move(teams.taken);
+      work_ += teams.work;
+    }
     return {chosen_.begin(),
             chosen_.begin() + static_cast<std::ptrdiff_t>(std::min(number, chosen_.size()))};
   }
 
   const Placement& placement_;
   std::vector<std::uint32_t> chosen_;
+  double work_ = 0;
 };
 
 // Robots at their places, under the given conditions.
@@ -195,7 +202,7 @@ FailurePlan plan_for_failures(const ShownPlacement& of, double capacity) {
     const auto greatest = PlannedCrew(of, teams).greatest_of_all(capacity, upright);
     if (greatest && upright) return {true, false, robots, *greatest, robots};
     if (greatest && !plan.can_tip) plan = {false, true, robots, *greatest, robots};
-    if (plan.can_tip && hopeless) break;
+    if ((plan.can_tip && hopeless) || method.work() > most_work_planned) break;
   }
   return plan;
 }

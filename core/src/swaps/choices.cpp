@@ -57,6 +57,7 @@ Part Choices::part_of(const std::vector<std::uint32_t>& taken,
 
 bool Choices::fit(std::uint32_t candidate, std::uint32_t other) const {
   if (!stands_) return true;
+  steps_ += part(other).robots.size();
   const std::vector<LiftingPoint>&robots = part(candidate).robots, &others = part(other).robots;
   return std::none_of(robots.begin(), robots.end(), [&](const LiftingPoint& a) {
     return std::any_of(others.begin(), others.end(),
@@ -84,13 +85,14 @@ const std::vector<LiftingPoint>& Choices::robots_of(const Trial& trial) const {
 Trial Choices::trial(std::uint32_t candidate, std::uint32_t other) const {
   constexpr double rounding = 1 + 1e-12;
   Trial trial{candidate, other};
-  steps_ += 4 + robots_of(trial).size();
+  steps_ += 8 + robots_of(trial).size();
   trial.coverage = rounding * balanced::small_hull(robots_of(trial), centre_).area / object_.area();
   return trial;
 }
 
 void Choices::sharpen(Trial& trial) const {
   const balanced::SmallHull hull = balanced::small_hull(robots_of(trial), centre_);
+  steps_ += 16 + robots_of(trial).size();
   trial.coverage = trial.sharpness == 0 ? std::min(trial.coverage, coarse_cover_.most(hull))
                                         : cover_.of(hull, steps_);
   ++trial.sharpness;
@@ -106,6 +108,7 @@ bool Choices::surely_below(const Trial& trial, std::uint32_t level) {
   const auto telling = std::find_if(directions_.begin(), directions_.end(), [&](const Wrench& u) {
     return stays_below(first, u) && stays_below(second, u);
   });
+  steps_ += 1 + static_cast<std::uint64_t>(telling - directions_.begin());
   if (telling == directions_.end()) return false;
   // A direction that ruled out one choice often rules out the next.
   std::rotate(directions_.begin(), telling, telling + 1);

@@ -66,6 +66,7 @@ class Choices {
 
   // Whether the work so far exceeds most_swap_steps (swaps.h).
   bool is_spent() const { return steps_ > most_swap_steps; }
+  std::uint64_t steps() const { return steps_; }
 
   double ratios(const Trial& trial) const {
     return part(trial.candidate).ratios + part(trial.other).ratios;

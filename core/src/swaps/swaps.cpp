@@ -56,6 +56,7 @@ class Swapper {
     if (keys_.level < best_level && taken_.size() >= 2 && !choices_.is_spent() && try_one_more())
       make_swaps();
     history_.cut_short = choices_.is_spent();
+    history_.steps = choices_.steps();
     return std::move(history_);
   }
 
@@ -209,7 +210,7 @@ ChosenTeams choose_candidates(const PolygonWithHoles& object, const Vec2& centre
   if (!swaps_teams(settings)) return {std::move(taken)};
   const SwapHistory history = swap_teams(object, centre, candidates, std::move(taken),
                                          hold_requirements(object, centre, settings), stands);
-  return {history.taken(), history.cut_short};
+  return {history.taken(), history.cut_short, static_cast<double>(history.steps) / most_swap_steps};
 }
 
 }  // namespace evenlift

@@ -97,7 +97,7 @@ std::string need_in_words(const CapacityPlan& plan, const ShownPlacement& of, Lo
   const std::uint32_t tried = plan.team_size * plan.tried;
   // More robots may have room, but were not tried.
   const bool stopped =
-      plan.tried >= most_teams_tried(settings) || plan.team_size == most_robots ||
+      plan.cut_short || plan.tried >= most_teams_tried(settings) || plan.team_size == most_robots ||
       (swaps_teams(settings) &&
        check_swaps(of.placement.candidates.size(), plan.tried + 1, of.placement.stands.get()));
   if (stopped)
