@@ -168,9 +168,8 @@ Selector::Index Selector::best_by(Rule rule) const {
 // cannot tie with the best keep their bounds.
 void Selector::find_best_score() {
   update_standings();
-  const auto [best_exact, largest] =
-      std::pair(standings_.greatest().score, standings_.greatest().bound);
-  double best = best_exact;
+  const double largest = standings_.greatest().bound;
+  double best = standings_.greatest().score;
   const auto can_tie = [&](double bound) { return ties(Key::score, best, bound, floor_); };
   if (largest == Standing::none || !can_tie(largest)) return;
   best = std::max(best, score(first([&](const Standing& s) { return s.bound >= largest; })));
