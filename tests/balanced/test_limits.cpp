@@ -1,5 +1,6 @@
 // Searches that end by their limits of work.
 #include "evenlift/balanced.h"
+#include "evenlift/capacity.h"
 #include "evenlift/generate.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
@@ -75,4 +76,18 @@ TEST_CASE("swaps among very many candidates end by their limit, and keep what th
   CHECK_FALSE(better_by(keys(covering), keys(placement)));
   document.settings.teams = 2;
   CHECK_FALSE(place(document).value().cut_short);
+}
+
+TEST_CASE("a plan whose searches meet the limit of work tries no further numbers, and says so",
+          "[swaps][slow]") {
+  Document document = generated(Family::comb, 1000);
+  document.settings.goal = Goal::hold;
+  document.settings.teams = 1;
+  const Placement placement = place(document).value();
+  const double capacity = placement.weight() / 16;  // eight teams suffice only if all are even
+  const CapacityPlan plan = plan_capacity(placement, capacity);
+  CHECK_FALSE(plan.possible);
+  CHECK(plan.cut_short);
+  CHECK(plan.tried >= 8);
+  CHECK(plan.tried < most_swapped_teams);
 }

@@ -43,12 +43,11 @@ std::string array_of(const Points& points) {
   return text + "]";
 }
 
-// Places on the outline, at its vertices and within their hull.
+// Places on the outline.
 Points supports_of(const Points& outline, std::size_t number, Rng& rng) {
   Points supports;
-  const auto vertex = [&] { return static_cast<std::size_t>(rng.below(outline.size())); };
   while (supports.size() < number) {
-    const std::size_t i = vertex();
+    const auto i = static_cast<std::size_t>(rng.below(outline.size()));
     const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
     supports.push_back(a + rng.uniform() * (b - a));
   }
@@ -116,14 +115,14 @@ Case make_case(std::uint64_t number) {
           (small ? 10.0 : 60.0) * (plans ? 3 : 1)};
 }
 
-std::string exceeded(const Case& c) {
+Outcome answer(const Case& c) {
   const std::clock_t before = std::clock();
   const std::string answer = evenlift::answer(c.request);
   const double seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
-  if (answer.empty() || answer.back() != '\n') return c.text + "\nno answer";
-  if (seconds <= c.most_seconds) return {};
-  return c.text + "\ntook " + shortest(seconds) + " s of a processor, more than " +
-         shortest(c.most_seconds) + " s";
+  if (answer.empty() || answer.back() != '\n') return {c.text + "\nno answer"};
+  if (seconds <= c.most_seconds) return {{}, answer.starts_with("{\"error\"")};
+  return {c.text + "\ntook " + shortest(seconds) + " s of a processor, more than " +
+          shortest(c.most_seconds) + " s"};
 }
 
 }  // namespace bounds

@@ -16,7 +16,10 @@ struct Case {
 // 60 s; with a capacity, whose plans place other numbers of robots, within three times as much.
 Case make_case(std::uint64_t number);
 
-// Empty if the request is answered within its bound, otherwise what is wrong.
-std::string exceeded(const Case& c);
+struct Outcome {
+  std::string wrong;  // empty if the request is answered within its bound
+  bool refused = false;
+};
+Outcome answer(const Case& c);
 
 }  // namespace bounds

@@ -66,7 +66,8 @@ Outcome try_one_shape(std::uint64_t number) {
 }
 
 Outcome try_bounds(std::uint64_t number) {
-  return {.differences = bounds::exceeded(bounds::make_case(number))};
+  const bounds::Outcome outcome = bounds::answer(bounds::make_case(number));
+  return {outcome.wrong, outcome.refused};
 }
 
 struct Kind {

@@ -84,10 +84,10 @@ struct BalancedWork {
 
 // A search ends when it has done more. The first two are for boundaries of up to 1,000 vertices, the
 // next two for larger ones. The start has a limit of its own.
-inline constexpr std::uint64_t most_steps = 350'000'000;
-inline constexpr std::uint64_t most_start_steps = 80'000'000;
+inline constexpr std::uint64_t most_steps = 280'000'000;
+inline constexpr std::uint64_t most_start_steps = 70'000'000;
 inline constexpr std::uint64_t most_steps_if_large = 1'000'000'000;
-inline constexpr std::uint64_t most_start_steps_if_large = 500'000'000;
+inline constexpr std::uint64_t most_start_steps_if_large = 250'000'000;
 inline constexpr std::uint64_t most_work = 150'000;  // of BalancedWork::completions
 
 // The state of a search. Each step depends only on this state and on the problem, so a search can
@@ -114,7 +114,11 @@ double work_used(const BalancedProblem& problem, const BalancedSearch& search);
 // nothing. For s trial points, usually 64 to 128, S_m takes at most (s + 1) m completions, and s^2
 // more if m = 4 or if S_4 would not exist otherwise. A completion costs O(n) at worst, usually much
 // less.
-std::optional<BalancedSearch> start_balanced(const BalancedProblem& problem);
+//
+// `cut_short`, if given, becomes whether the limit of the start ended it. If it then returns
+// nothing, there may be places all the same.
+std::optional<BalancedSearch> start_balanced(const BalancedProblem& problem,
+                                             bool* cut_short = nullptr);
 
 // Whether the start is expected to take less than a few tenths of a second, so that it need not run
 // in the background. The estimate counts completions and even candidates about C, so it is the same

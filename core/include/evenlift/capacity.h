@@ -68,8 +68,8 @@ struct CapacityPlan {
 };
 
 // A plan for which each number of robots needs a search of its own tries no more numbers once these
-// searches have taken this part of the work that one search may take (most_steps in balanced.h,
-// most_swap_steps in swaps.h).
+// searches have taken this part of the work that one search may take (BalancedWork in
+// balanced.h, most_swap_steps in swaps.h).
 inline constexpr double most_work_planned = 0.5;
 
 // Makes a plan for the object of `placement`, a result of place(), with its candidates. Each robot
@@ -82,9 +82,9 @@ inline constexpr double most_work_planned = 0.5;
 // as selecting the needed teams. With equal angles, each number of teams has its own places; for
 // each number, the plan computes loads only, up to the first overloaded robot. If teams are
 // swapped, each number of teams also has its own places, and needs its own swaps, up to
-// most_work_planned. The least number
-// of balanced robots follows from the weight, the capacity and the failures to survive; the plan
-// does not check whether such a set exists. For given supports no plan is possible.
+// most_work_planned. The least number of balanced robots follows from the weight, the capacity and
+// the failures to survive; the plan does not check whether such a set exists. For given supports no
+// plan is possible.
 CapacityPlan plan_capacity(const Placement& placement, double capacity);
 
 // The number of robots needed if any one robot may fail, under the given conditions

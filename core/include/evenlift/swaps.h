@@ -20,7 +20,7 @@
 // candidate is added to its result. If this choice is better, it replaces the t teams, and swaps
 // continue within the same 4 t rounds. So one more team never lowers the level, unless robots with
 // a size find no room for it. All of this ends when the work exceeds most_swap_steps, without the
-// round under way. Work is counted, not timed, in steps as for balanced robots (most_steps in
+// round under way. Work is counted, not timed, in steps as for balanced robots (BalancedWork in
 // balanced.h): for each choice, each of its coverages and each of its margins.
 #pragma once
 
@@ -41,7 +41,7 @@ class Stands;
 
 inline constexpr std::uint32_t most_swapped_teams = 32;
 inline constexpr std::uint64_t most_swaps = std::uint64_t{1} << 22;
-inline constexpr std::uint64_t most_swap_steps = 300'000'000;
+inline constexpr std::uint64_t most_swap_steps = 250'000'000;
 inline constexpr std::size_t most_candidates_for_pairs = 100;
 
 // The keys by which choices of teams are compared.

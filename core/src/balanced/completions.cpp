@@ -48,6 +48,7 @@ void Best::offer_three_more(const std::vector<LiftingPoint>& robots) {
   std::vector<LiftingPoint> all = robots;
   all.emplace_back();
   for (const LiftingPoint& stand : rules_.stands()) {
+    if (steps_ >= most_steps_ && (set_ || rules_.room())) return;
     all.back() = stand;
     if (rules_.collides(robots, robots.size(), stand)) continue;
     complete(all, 1, near_pairs + rules_.near_pairs(robots, robots.size(), stand));

@@ -15,7 +15,7 @@ Vec2 middle_of_two_more(const std::vector<LiftingPoint>& robots, const Vec2& cen
 // The even candidates whose two ends, together with the robots, have the centroid C; none if
 // middle_of_two_more() is not strictly inside the convex hull of P. If the outline has more than
 // 1,000 vertices and many such candidates, only some are returned (EvenChords::some_about). Adds the
-// work to `steps` (most_steps in balanced.h).
+// work to `steps` (BalancedWork in balanced.h).
 std::vector<Candidate> pairs_to_complete(const Rules& rules,
                                          const std::vector<LiftingPoint>& robots,
                                          std::uint64_t& steps);
@@ -27,7 +27,10 @@ std::vector<Candidate> all_pairs_to_complete(const Rules& rules,
 // Keeps the best of the offered sets; of sets that tie, the first.
 class Best {
  public:
-  explicit Best(const Rules& rules) : rules_(rules) {}
+  // After `most_steps`, no three more are offered: any set will do, and none if usable_sets() can
+  // take its place.
+  explicit Best(const Rules& rules, std::uint64_t most_steps = ~std::uint64_t{0})
+      : rules_(rules), most_steps_(most_steps) {}
 
   // Makes `set` the best so far, without a comparison.
   void offer(const RatedSet& set) { set_ = set; }
@@ -44,7 +47,7 @@ class Best {
   // The number of robots that the best set had before two or three more completed it. In the set,
   // these robots come first.
   std::size_t kept() const { return kept_; }
-  // The work so far, in steps of most_steps (balanced.h).
+  // The work so far, in steps of BalancedWork (balanced.h).
   std::uint64_t steps() const { return steps_; }
 
  private:
@@ -55,6 +58,7 @@ class Best {
                 std::uint32_t near_pairs);
 
   const Rules& rules_;
+  std::uint64_t most_steps_;
   std::optional<RatedSet> set_;
   bool completed_ = false;
   std::size_t kept_ = 0;

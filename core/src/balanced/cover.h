@@ -17,7 +17,7 @@ class Cover {
 
   // The coverage, equal to coverage(object, hull) up to rounding. It is 0 if H has no area, if C is
   // outside H, or if only rounding separates C from a side of H. O(h log n) for each crossing of
-  // the boundary with H, O(n h) at worst. Adds the work to `steps` (most_steps in balanced.h): one for
+  // the boundary with H, O(n h) at worst. Adds the work to `steps` (BalancedWork in balanced.h): one for
   // about three comparisons of a point with a side of H.
   double of(const SmallHull& hull, std::uint64_t& steps) const;
 

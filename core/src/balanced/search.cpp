@@ -75,10 +75,11 @@ bool is_better(const BalancedProblem& problem, const std::vector<LiftingPoint>& 
   return rules.better(first, second);
 }
 
-std::optional<BalancedSearch> start_balanced(const BalancedProblem& problem) {
+std::optional<BalancedSearch> start_balanced(const BalancedProblem& problem, bool* cut_short) {
   const Rules& rules = problem.rules();
   BalancedSearch search;
   auto sets = balanced::start_sets(rules, &search.cut_short);
+  if (cut_short) *cut_short = search.cut_short;
   if (!sets.back()) return std::nullopt;
   search.robots = std::move(sets.back()->set.robots);
   search.finished = rules.robots() < 3;

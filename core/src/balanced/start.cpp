@@ -3,14 +3,15 @@
 #include "balanced/rounds.h"
 #include "balanced/usable_sets.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
 namespace evenlift::balanced {
 namespace {
 
-bool is_spent(const Rules& rules, std::uint64_t steps) {
-  return steps >= (rules.is_large() ? most_start_steps_if_large : most_start_steps);
+std::uint64_t most_steps_of_start(const Rules& rules) {
+  return rules.is_large() ? most_start_steps_if_large : most_start_steps;
 }
 
 // The trial points from which S_4 begins.
@@ -19,18 +20,13 @@ enum class Begin { as_usual, at_every_stand };
 std::optional<StartSet> next_set(const Rules& rules, const StartSets& sets, Begin begin,
                                  std::uint64_t& steps) {
   const std::size_t number = sets.size();
-  Best best(rules);
-  // Once the steps are spent, any set will do, and none if usable_sets() can take its place.
-  const auto goes_on = [&] {
-    return !is_spent(rules, steps + best.steps()) || (!best.set() && !rules.room());
-  };
+  const std::uint64_t most = most_steps_of_start(rules);
+  Best best(rules, most - std::min(most, steps));
   if (sets[number - 2]) best.offer_two_more(sets[number - 2]->set.robots);
-  if (number >= 3 && sets[number - 3] && goes_on())
-    best.offer_three_more(sets[number - 3]->set.robots);
+  if (number >= 3 && sets[number - 3]) best.offer_three_more(sets[number - 3]->set.robots);
   const bool at_stands = rules.robots() == 4 || begin == Begin::at_every_stand;
   if (number == 4 && (at_stands || !best.set()))
-    for (const LiftingPoint& stand : rules.stands())
-      if (goes_on()) best.offer_three_more({stand});
+    for (const LiftingPoint& stand : rules.stands()) best.offer_three_more({stand});
   steps += best.steps();
   if (!best.set()) return std::nullopt;
   const std::vector<LiftingPoint>& robots = best.set()->robots;
@@ -78,7 +74,7 @@ std::optional<StartSets> start_that_leads_farther(const Rules& rules, RatedSet n
 StartSets start_sets(const Rules& rules, bool* cut_short) {
   std::uint64_t steps = 0;
   StartSets sets = chain(rules, Begin::as_usual, steps);
-  if (cut_short) *cut_short = is_spent(rules, steps);
+  if (cut_short) *cut_short = steps >= most_steps_of_start(rules);
   if (rules.room() && !sets.back())
     for (const RatedSet& set : usable_sets(rules, 1)) sets.back() = whole(rules, set);
   return sets;

@@ -63,7 +63,7 @@ void place_balanced(Placement& placement, Effort effort) {
   const BalancedProblem problem(placement.object, placement.centre_of_mass, placement.settings);
   placement.search_ended = effort == Effort::whole || is_quick_to_start(problem);
   if (!placement.search_ended) return;
-  auto search = start_balanced(problem);
+  auto search = start_balanced(problem, &placement.cut_short);
   if (!search) return;
   if (effort == Effort::whole) search = finish_search(problem, *std::move(search));
   placement.teams = {team_of(placement, search->robots)};
