@@ -50,6 +50,8 @@ export interface Settings {
   apart?: number;
   /** Shorter distances, such as those of robots from corners, are not relied on. Default 0.02 of the object's radius. */
   clear?: number;
+  /** Each robot may be off its place by this length (default 0): searches promise only what still holds then. */
+  accuracy?: number;
   /** 0 to 30. Default 0. */
   survive?: number;
   /** For teams of two: the best places, or any in the ranges that `min_ratio` allows. Default `"best"`. */
@@ -198,12 +200,23 @@ export interface Closure {
   margin: number | null;
   /** The object is held even without the contacts nearer to a corner than this; `null` if no contact is beside a corner. */
   clearance: number | null;
-  /** Form closure remains if each robot is off by less than this along its edge. */
-  tolerance: number;
+  /** Form closure remains if each robot is off by less than this along its edge; `null` without a limit. */
+  tolerance: number | null;
   second_order: boolean;
   free: Motion[];
   clockwise: Point[];
   counterclockwise: Point[];
+}
+
+/** How far all robots may be off. Each length is `null` if what it is about does not hold, or has no limit. */
+export interface Accuracy {
+  asked: number;
+  all_within: number | null;
+  limited_by: { what: "fits" | "stands" | "hold" | "capacity"; robots: number[]; edge: number | null } | null;
+  fits_within: number | null;
+  stands_within: number | null;
+  hold_within: number | null;
+  capacity_within: number | null;
 }
 
 export interface Robustness {
@@ -357,6 +370,7 @@ export interface Placement {
   moved?: string;
   /** Missing without teams. */
   robustness?: Robustness;
+  accuracy?: Accuracy;
   /** `null` without `com_height`. */
   tilt: Tilt | null;
   /** Only with `extra`. */

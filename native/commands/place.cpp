@@ -12,6 +12,7 @@
 #include "evenlift/output/verdict.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
+#include "evenlift/supports.h"
 #include "evenlift/tolerance.h"
 #include "print/progress.h"
 #include "print/robustness_text.h"
@@ -203,6 +204,9 @@ Outputs make_outputs(const Input& input, const PlaceOptions& options,
   const Result<Placement> placement = place(input.document);
   if (!placement) throw options.input.settings.failure(input.source, placement.error());
   const ShownPlacement shown(*placement, input.document.shown);
+  if (input.document.settings.method == Method::given)
+    for (const std::string& note : snap_notes(placement->object, input.document.settings))
+      print_failure({0, "--supports", note, {}});
   waiting.now("counting the robots needed");
   const std::optional<CapacityInJson> capacity = capacity_in_json(shown);
   waiting.now("examining what may happen");

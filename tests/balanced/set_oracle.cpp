@@ -70,19 +70,27 @@ bool is_corner(const std::vector<Point>& ring, std::size_t v) {
   return cross(in, out) > 0 && cosine < (std::sqrt(6) + std::sqrt(2)) / 4 - tau;
 }
 
-// From a point on an edge to the nearest corner, passing straight vertices.
+bool is_notch(std::vector<Point> ring, std::size_t v) {
+  std::reverse(ring.begin(), ring.end());  // what is reflex, is convex on the way back
+  return is_corner(ring, ring.size() - 1 - v);
+}
+
+// From a point on an edge along the outline to the nearest corner, until a notch.
 double to_corner(const std::vector<Point>& ring, const Point& p, std::size_t edge) {
   const std::size_t n = ring.size();
-  const auto is_straight = [&](std::size_t v) {
-    const Point in = ring[v] - ring[(v + n - 1) % n], out = ring[(v + 1) % n] - ring[v];
-    return std::fabs(cross(in, out)) <= tau * size(in) * size(out);
-  };
-  std::size_t begin = edge, end = (edge + 1) % n;
-  while (is_straight(begin)) begin = (begin + n - 1) % n;
-  while (is_straight(end)) end = (end + 1) % n;
   double least = std::numeric_limits<double>::infinity();
-  for (const std::size_t v : {begin, end})
-    if (is_corner(ring, v)) least = std::min(least, size(p - ring[v]));
+  for (const bool on : {true, false}) {
+    Point at = p;
+    double way = 0;
+    std::size_t v = on ? (edge + 1) % n : edge;
+    for (std::size_t passed = 0; passed < n; ++passed) {
+      way += size(ring[v] - at);
+      if (is_corner(ring, v)) least = std::min(least, way);
+      if (is_corner(ring, v) || is_notch(ring, v)) break;
+      at = ring[v];
+      v = (v + (on ? 1 : n - 1)) % n;
+    }
+  }
   return least;
 }
 
@@ -114,7 +122,8 @@ std::vector<Space> wrenches(const Object& object, const std::vector<Point>& robo
                 out = ring[(*vertex + 1) % n] - ring[*vertex];
     const double turn = cross(in, out) / (size(in) * size(out));
     if (turn > tau) continue;
-    if (turn < -tau || to_corner(ring, p, *vertex) >= clear - near) touch(ring[*vertex], *vertex);
+    if (!is_notch(ring, *vertex) && to_corner(ring, p, *vertex) < clear - near) continue;
+    touch(ring[*vertex], *vertex);
     if (turn < -tau) touch(ring[*vertex], (*vertex + n - 1) % n);
   }
   return all;

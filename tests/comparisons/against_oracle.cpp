@@ -203,7 +203,15 @@ class Comparison {
     d.same("a clearance", std::isfinite(mine.distance), std::isfinite(exact.clearance));
     if (std::isfinite(mine.distance) && std::isfinite(exact.clearance))
       d.near("clearance", mine.distance / size_, exact.clearance / size_, 1e-7);
-    d.near("tolerance", mine.tolerance / size_, exact.tolerance / size_, 1e-7);
+    if (!exact.hold_within) return d.near("tolerance", mine.tolerance, 0, 0);
+    // Within rounding: where a corner or a bend ends the tolerance, it changes at once.
+    constexpr double slack = 1e-6;
+    if (mine.tolerance > 1e-8 * size_)
+      d.same("holds within the tolerance", true,
+             exact.hold_within((1 - slack) * std::min(mine.tolerance, size_) - 1e-9 * size_));
+    if (std::isfinite(mine.tolerance))
+      d.same("holds beyond the tolerance", false,
+             exact.hold_within((1 + slack) * mine.tolerance + 1e-9 * size_));
   }
 
   void hull(Differences& d, const std::vector<Point>& exact, double tolerance) const {

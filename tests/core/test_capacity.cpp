@@ -348,6 +348,7 @@ TEST_CASE("no setting changes a plan unnoticed", "[capacity][slow]") {
       {"apart", {"100", "400"}},
       {"survive", {"1", "3"}},
       {"clear", {"0", "60"}},
+      {"accuracy", {"5", "60"}},
       {"robot_radius", {"25", "120"}},
       {"robot_reach", {"10"}},
       {"robot_depth", {"30"}},

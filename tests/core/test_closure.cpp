@@ -39,7 +39,7 @@ TEST_CASE("few and many points have the same contacts", "[closure]") {
     INFO(name);
     REQUIRE(one_by_one.size() == together.size());
     const auto all_of = [](const Contact& c) {
-      return std::tuple(c.position.x, c.position.y, c.edge, c.point, c.to_corner, c.to_end);
+      return std::tuple(c.position.x, c.position.y, c.edge, c.point, c.to_corner, c.in_notch);
     };
     for (std::size_t i = 0; i < together.size(); ++i)
       CHECK(all_of(one_by_one[i]) == all_of(together[i]));
@@ -138,6 +138,20 @@ TEST_CASE("the midpoints of a square's sides hold it to second order", "[closure
   REQUIRE(c.clockwise.clipped.size() == 1);
   CHECK(length(c.clockwise.clipped[0] - Vec2(1, 1)) <= 1e-8);
   CHECK(*c.margin == Approx(0).margin(1e-12));
+}
+
+TEST_CASE("of two robots on one normal line, each counts to second order", "[closure]") {
+  // The robot at (2, 6) has the same wrench as that at (2, 0), which drives the object into the notch
+  // at (2, 2).
+  Document document;
+  document.vertices = {{0, 0}, {0, 4}, {2, 2}, {2, 6}, {0, 6}, {8, 8}, {6, 0}};
+  document.centre_of_mass = Vec2(1, 3);
+  document.settings.method = Method::distance;
+  document.settings.min_ratio = 1;
+  document.settings.teams = 4;
+  const auto placement = place(document);
+  REQUIRE(placement);
+  CHECK(placement->closure.second_order);
 }
 
 TEST_CASE("the midpoints of an equilateral triangle's sides are the classic case of second order",

@@ -101,7 +101,8 @@ TEST_CASE("each option of the program that sets something is a lesson's key, too
           "[lesson][settings]") {
   Document document;
   document.settings.goal = Goal::hold;
-  document.settings.apart = document.settings.clear = document.settings.snap = 1;
+  document.settings.apart = document.settings.clear = document.settings.snap =
+      document.settings.accuracy = 1;
   for (const SettingRow& row : all_settings()) {
     if (row.option.group == OptionGroup::none) continue;
     const Lesson lesson = lesson_of("title: T\npolygon: square\n" + hyphened(row.name) + ": " +

@@ -323,6 +323,7 @@ TEST_CASE("what each setting may be is said as ever", "[settings]") {
        "the capacities of the supports must be a number greater than 0, or none, for each support, such as 30,none,40; or nothing"},
       {Setting::cargo,
        "the cargo must be 1 to 1000 loads X,Y:W with W above 0 and spaces between them, such as 8,8:24 2,3:1.5, each perhaps with a name of at most 60 characters as X,Y:W:NAME; or none"},
+      {Setting::accuracy, "the accuracy must be a number from 0 to 1000000000"},
       {Setting::com_height,
        "the height of the centre of mass must be a number from 0 to 1000000000"},
       {Setting::slope,

@@ -17,7 +17,6 @@ root = pathlib.Path(__file__).resolve().parent.parent.parent
 # With what to write instead.
 given_up = {
     r"bears?|borne": "carry",
-    r"firm(ly|ness|er)?": "margin",
     r"lets go": "goes slack, fails",
     r"exchang(e|es|ed|ing)": "swap",
     r"halo": "tipping distance",

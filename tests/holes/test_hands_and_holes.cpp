@@ -99,15 +99,15 @@ TEST_CASE("a hand stays off a hole by half its width and by its depth", "[stands
   CHECK_FALSE(deep.why_not(0, 1.4));
   CHECK_FALSE(deep.why_not(0, 4.6));
   CHECK(deep.why_not(0, 0.3) == WhyUnusable::corner);
-  REQUIRE(deep.usable(0).last - deep.usable(0).first == 2);
-  CHECK(deep.usable(0).first[0].to == Approx(1.5));
-  CHECK(deep.usable(0).first[1].from == Approx(4.5));
-  CHECK(deep.usable(1).last - deep.usable(1).first == 1);
-  REQUIRE(deep.usable(3).last - deep.usable(3).first == 2);  // from (0, 10) to (0, 0)
-  CHECK(deep.usable(3).first[0].to == Approx(5.5));
+  REQUIRE(deep.room(0).last - deep.room(0).first == 2);
+  CHECK(deep.room(0).first[0].to == Approx(1.5));
+  CHECK(deep.room(0).first[1].from == Approx(4.5));
+  CHECK(deep.room(1).last - deep.room(1).first == 1);
+  REQUIRE(deep.room(3).last - deep.room(3).first == 2);  // from (0, 10) to (0, 0)
+  CHECK(deep.room(3).first[0].to == Approx(5.5));
   const Stands shallow = stands_of(1.9, 1, box(2, 2, 4, 4));
   CHECK_FALSE(shallow.why_not(0, 3));
-  CHECK(shallow.usable(0).last - shallow.usable(0).first == 1);
+  CHECK(shallow.room(0).last - shallow.room(0).first == 1);
 }
 
 TEST_CASE("a hole within the hand and a hand within a hole are refused alike", "[stands][holes]") {
@@ -141,9 +141,9 @@ TEST_CASE("neither body nor arm nor a point cares about holes", "[stands][holes]
   const Stands with(object(square, {box(0.1, 0.1, 9.9, 9.9)}), robot, {});
   const Stands without(object(square, {}), robot, {});
   for (std::uint32_t edge = 0; edge < 4; ++edge) {
-    REQUIRE(with.usable(edge).last - with.usable(edge).first == 1);
-    CHECK(with.usable(edge).first->from == without.usable(edge).first->from);
-    CHECK(with.usable(edge).first->to == without.usable(edge).first->to);
+    REQUIRE(with.room(edge).last - with.room(edge).first == 1);
+    CHECK(with.room(edge).first->from == without.room(edge).first->from);
+    CHECK(with.room(edge).first->to == without.room(edge).first->to);
   }
 }
 
@@ -245,7 +245,7 @@ TEST_CASE("supports among holes are refused exactly where a point is in a hole",
     for (int i = 0; i < 30; ++i) {
       const double right = rng.uniform(), up = rng.uniform();
       const Vec2 at = bounds.low + componentwise_product(bounds.size(), Vec2(right, up));
-      if (placer.distance(at) <= 1e-6 * of.outline().diameter()) continue;
+      if (placer.distance(at) <= 1e-4 * of.outline().diameter()) continue;
       bool expected = oracle::contains(problem.vertices, testing::point_of(at));
       for (const oracle::Ring& hole : problem.holes) {
         const bool in_hole = oracle::contains(hole, testing::point_of(at));

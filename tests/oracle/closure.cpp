@@ -13,14 +13,15 @@ struct Contact {
   ExactVec
       edge;  // along the edge, counter-clockwise about P: the inward normal is to its left, exactly
   RealVec normal;  // inward, of unit length
-  // Distances from the nearest corner and convex vertex at which its side ends; empty without one.
-  std::optional<Real> to_corner, to_end;
+  std::size_t edge_number;
+  std::optional<Real> to_corner;  // along the outline; empty if there is none before a notch
+  bool in_notch = false;
 };
 
 Contact contact_on(const ExactShape& shape, const RealVec& at, std::size_t edge) {
   const ExactVec along = shape.vertices[(edge + 1) % shape.vertices.size()] - shape.vertices[edge];
   const RealVec left{Real(-along.y), Real(along.x)};
-  return {at, along, left * (1 / length(left)), {}, {}};
+  return {at, along, left * (1 / length(left)), edge, {}};
 }
 
 std::optional<std::size_t> vertex_at(const ExactShape& shape, const RealVec& p, Calls& calls) {
@@ -82,9 +83,8 @@ int turn_at(const ExactShape& shape, std::size_t vertex, Calls& calls) {
   return sign(cross(before, after));
 }
 
-/// Convex, with a turn of more than 15 degrees.
-bool is_corner(const ExactShape& shape, std::size_t vertex, Calls& calls, bool& unsure) {
-  if (turn_at(shape, vertex, calls) <= 0) return false;
+/// By more than 15 degrees.
+bool turns_sharply(const ExactShape& shape, std::size_t vertex, bool& unsure) {
   const std::size_t n = shape.vertices.size();
   const RealVec u = real(shape.vertices[vertex] - shape.vertices[(vertex + n - 1) % n]);
   const RealVec v = real(shape.vertices[(vertex + 1) % n] - shape.vertices[vertex]);
@@ -94,21 +94,23 @@ bool is_corner(const ExactShape& shape, std::size_t vertex, Calls& calls, bool& 
   return cosine < of_15_degrees - tau;
 }
 
-/// Distances from the corners and convex vertices at which the contact's edge ends, passing
-/// straight vertices.
-void set_distances(const ExactShape& shape, std::size_t edge, Calls& calls, bool& unsure,
-                   Contact& contact) {
+/// Along the outline in both directions, to a corner, a notch or once round.
+void set_distance(const ExactShape& shape, Calls& calls, bool& unsure, Contact& contact) {
   const std::size_t n = shape.vertices.size();
-  std::size_t begin = edge, end = (edge + 1) % n;
-  while (turn_at(shape, begin, calls) == 0) begin = (begin + n - 1) % n;
-  while (turn_at(shape, end, calls) == 0) end = (end + 1) % n;
-  const auto lower = [](std::optional<Real>& least, const Real& distance) {
-    if (!least || distance < *least) least = distance;
-  };
-  for (const std::size_t vertex : {begin, end}) {
-    const Real distance = length(contact.at - shape.real_vertices[vertex]);
-    if (turn_at(shape, vertex, calls) > 0) lower(contact.to_end, distance);
-    if (is_corner(shape, vertex, calls, unsure)) lower(contact.to_corner, distance);
+  for (const bool on : {true, false}) {
+    RealVec at = contact.at;
+    Real way = 0;
+    std::size_t vertex = on ? (contact.edge_number + 1) % n : contact.edge_number;
+    for (std::size_t passed = 0; passed < n; ++passed) {
+      way += length(shape.real_vertices[vertex] - at);
+      const int turn = turn_at(shape, vertex, calls);
+      if (turn != 0 && turns_sharply(shape, vertex, unsure)) {
+        if (turn > 0 && (!contact.to_corner || way < *contact.to_corner)) contact.to_corner = way;
+        break;
+      }
+      at = shape.real_vertices[vertex];
+      vertex = (vertex + (on ? 1 : n - 1)) % n;
+    }
   }
 }
 
@@ -122,24 +124,24 @@ std::vector<Contact> contacts_of(const ExactShape& shape, const std::vector<Real
       if (o.at == c.at && o.edge == c.edge) return;
     contacts.push_back(c);
   };
-  // For a robot that no reflex vertex holds.
-  const auto add_free = [&](const RealVec& at, std::size_t edge) {
+  const auto add_on = [&](const RealVec& at, std::size_t edge, bool in_notch) {
     Contact contact = contact_on(shape, at, edge);
-    set_distances(shape, edge, calls, corners_are_unsure, contact);
+    contact.in_notch = in_notch;
+    if (!in_notch) set_distance(shape, calls, corners_are_unsure, contact);
     add(contact);
   };
   for (const RealVec& p : points) {
     const auto vertex = vertex_at(shape, p, calls);
     note_folds(shape, p, vertex, calls);
     if (!vertex) {
-      add_free(p, nearest_edge(shape, p));
+      add_on(p, nearest_edge(shape, p), false);
       continue;
     }
     const std::size_t before = (*vertex + n - 1) % n;
     const int turn = turn_at(shape, *vertex, calls);
-    if (turn == 0) add_free(shape.real_vertices[*vertex], *vertex);
-    if (turn < 0) add(contact_on(shape, shape.real_vertices[*vertex], *vertex));
-    if (turn < 0) add(contact_on(shape, shape.real_vertices[*vertex], before));
+    const bool in_notch = turn < 0 && turns_sharply(shape, *vertex, corners_are_unsure);
+    if (turn <= 0) add_on(shape.real_vertices[*vertex], *vertex, in_notch);
+    if (turn < 0) add_on(shape.real_vertices[*vertex], before, in_notch);
   }
   return contacts;
 }
@@ -317,11 +319,13 @@ bool immobile_about(const std::vector<Contact>& contacts, const RealVec& c, cons
     if (calls.within(abs(left_of_normal(contact, c)), tau * size, "normal through the centre"))
       through.push_back(contact);
   for (const Balance& b : balances(through, true, calls)) {
-    Real sum = 0;
+    Real sum = 0, weights = 0;
     for (std::size_t k = 0; k < b.contacts.size(); ++k) {
       const Contact& contact = through[b.contacts[k]];
       sum += b.weights[k] * dot(contact.normal, c - contact.at);
+      weights += b.weights[k];
     }
+    if (abs(sum) <= tau * size * weights) calls.either_is_right("curvature of a motion");
     if (sum > 0) return true;
   }
   return false;
@@ -416,11 +420,9 @@ std::vector<Vec3> wrenches_of(const std::vector<Contact>& contacts, const Real& 
   return wrenches;
 }
 
-/// For each contact: if all contacts at least as far away are in form closure, calls look(distance,
-/// margin). A contact without an end is infinitely far.
-template <class Look>
-void for_each_hold(const std::vector<Contact>& contacts, std::optional<Real> Contact::*distance,
-                   const Real& radius, Closure& result, const Look& look) {
+/// By definition.
+void find_clearance(const std::vector<Contact>& contacts, const Real& radius, Closure& result) {
+  std::optional<Real> clearance = Real(0);
   // Contacts equally far except for rounding give the same set.
   std::vector<Real> looked_at;
   const auto is_new = [&](const Real& far) {
@@ -429,37 +431,83 @@ void for_each_hold(const std::vector<Contact>& contacts, std::optional<Real> Con
     });
   };
   for (const Contact& nearest : contacts) {
-    const std::optional<Real>& far = nearest.*distance;
+    const std::optional<Real>& far = nearest.to_corner;
     const Real least = far ? Real(*far * (1 - Real("1e-29"))) : Real(-1);
     if (!is_new(least)) continue;
     looked_at.push_back(least);
     std::vector<Contact> counted;
     for (const Contact& c : contacts)
-      if (!(c.*distance) || (far && *(c.*distance) >= least)) counted.push_back(c);
+      if (!c.to_corner || (far && *c.to_corner >= least)) counted.push_back(c);
     const Real m = margin(wrenches_of(counted, radius));
     // The core decides within the tolerance.
     if (abs(m) < 100 * tau) result.clearance_is_unsure = true;
-    if (m > 0) look(far, m);
-  }
-}
-
-/// By definition.
-void find_clearance(const std::vector<Contact>& contacts, const Real& radius, Closure& result) {
-  std::optional<Real> clearance = Real(0);
-  for_each_hold(contacts, &Contact::to_corner, radius, result, [&](const auto& far, const Real&) {
+    if (m <= 0) continue;
     if (!far || !clearance)
       clearance.reset();
     else
       clearance = std::max(*clearance, *far);
-  });
-  Real tolerance = 0;
-  for_each_hold(contacts, &Contact::to_end, radius, result, [&](const auto& far, const Real& m) {
-    const Real reach = radius * m;
-    tolerance = std::max(tolerance, far ? std::min(*far, reach) : reach);
-  });
+  }
   result.clearance =
       clearance ? static_cast<double>(*clearance) : std::numeric_limits<double>::infinity();
-  result.tolerance = static_cast<double>(tolerance);
+}
+
+/// The greatest distance of a wrench that the robot may have if it is off by up to `error` from
+/// those that it may have on its own edge.
+Real greatest_change(const std::vector<RealVec>& vertices, const Contact& contact,
+                     const Real& radius, const Real& error) {
+  const std::size_t n = vertices.size();
+  const Vec3 own = wrenches_of({contact}, radius)[0];
+  Real greatest = 0;
+  const auto look_at = [&](const RealVec& at, std::size_t edge) {
+    const RealVec along = vertices[(edge + 1) % n] - vertices[edge];
+    const RealVec normal = RealVec{-along.y, along.x} * (1 / length(along));
+    const Real turn = cross(at, normal) / radius - own[2];
+    const Real beyond = std::max(Real(0), Real(abs(turn) - error / radius));
+    const RealVec other = normal - RealVec{own[0], own[1]};
+    greatest = std::max(greatest, Real(sqrt(dot(other, other) + beyond * beyond)));
+  };
+  for (const bool on : {true, false}) {
+    RealVec at = contact.at;
+    Real left = error;
+    std::size_t edge = contact.edge_number;
+    for (std::size_t passed = 0; passed < n && left >= 0; ++passed) {
+      const RealVec end = vertices[on ? (edge + 1) % n : edge];
+      const Real way = length(end - at);
+      look_at(at, edge);
+      look_at(way <= left ? end : RealVec(at + (end - at) * (left / way)), edge);
+      left -= way;
+      at = end;
+      edge = (edge + (on ? 1 : n - 1)) % n;
+    }
+  }
+  return greatest;
+}
+
+/// By definition: for some x the contacts that change by at most x have a margin above x, in both
+/// senses.
+bool hold_within(const std::vector<RealVec>& vertices, const std::vector<Contact>& contacts,
+                 const Real& radius, const Real& error) {
+  std::vector<std::pair<Real, Contact>> kept;
+  for (const Contact& contact : contacts)
+    if (!contact.to_corner || *contact.to_corner > error)
+      kept.emplace_back(
+          contact.in_notch ? Real(0) : greatest_change(vertices, contact, radius, error), contact);
+  for (const auto& [change, nearest] : kept) {
+    if (change >= 1) continue;  // no margin is greater
+    Real least = 1;
+    for (const int sense : {1, -1}) {
+      std::vector<Vec3> moved;
+      for (const auto& [other, contact] : kept) {
+        if (other > change) continue;
+        moved.push_back(wrenches_of({contact}, radius)[0]);
+        if (!contact.in_notch) moved.back()[2] += sense * error / radius;
+      }
+      least = std::min(least, margin(moved));
+      if (least <= change) break;
+    }
+    if (least > change) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -507,7 +555,12 @@ Closure immobilization(const ExactShape& shape, const std::vector<RealVec>& lift
   Real radius = 0;  // R
   for (const RealVec& v : shape.real_vertices) radius = std::max(radius, length(v));
   result.margin = static_cast<double>(margin(wrenches_of(contacts, radius)));
-  if (result.form_closure) find_clearance(contacts, radius, result);
+  if (result.form_closure) {
+    find_clearance(contacts, radius, result);
+    result.hold_within = [vertices = shape.real_vertices, contacts, radius](double error) {
+      return hold_within(vertices, contacts, radius, error);
+    };
+  }
   result.closest_call = calls.closest();
   return result;
 }

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -173,9 +174,11 @@ struct Closure {
   bool form_closure = false;
   bool second_order = false;
   std::optional<double> margin;  // absent without contacts
-  // How precisely robots must be placed, in units of length; both 0 without form closure. The
-  // clearance is infinite if the hold needs no contact beside a corner.
-  double clearance = 0, tolerance = 0;
+  // How precisely robots must be placed, in units of length; 0 without form closure, and infinite
+  // if the hold needs no contact beside a corner.
+  double clearance = 0;
+  // In form closure: whether the hold surely persists if robots are off by this error.
+  std::function<bool(double)> hold_within;
   bool clearance_is_unsure = false;  // rounding may decide it
   ClosestCall closest_call;
   // The least sine, above the tolerance, between opposite normals. If it is small, the centre of a

@@ -53,6 +53,10 @@ HoldKeys keys_by_definition(const Placement& placement, const std::vector<std::u
   const Closure closure = analyse_closure(placement.polygon(), placement.centre_of_mass, counted);
   for (const double bound : {0.001, 0.4 * hold.min_margin, hold.min_margin})
     if (closure.margin && *closure.margin >= bound) ++keys.level;
+  const Clearance clearance = analyse_clearance(placement.polygon(), placement.centre_of_mass,
+                                                contacts(placement.polygon(), points));
+  if (clearance.tolerance < hold.tolerance - near_distance(placement.polygon().diameter()))
+    keys.level = 0;
   keys.coverage = coverage(placement.object,
                            convex_hull(positions, near_distance(placement.polygon().diameter())));
   return keys;
@@ -97,9 +101,11 @@ void check_result(const Placement& placement) {
       keys_by_definition(placement, placement.team_candidates, hold_requirements(placement));
   CHECK(keys.coverage == Approx(placement.coverage).margin(1e-9));
   const double clear = 0.02 * farthest_vertex(placement.polygon(), placement.centre_of_mass);
-  const bool is_clear =
-      placement.closure.clearance.distance >= clear - near_distance(placement.polygon().diameter());
-  CHECK(placement.goal_reached == (placement.closure.form_closure && is_clear));
+  const Clearance& clearance = placement.closure.clearance;
+  const double near = near_distance(placement.polygon().diameter());
+  CHECK(placement.goal_reached ==
+        (placement.closure.form_closure && clearance.distance >= clear - near &&
+         clearance.tolerance >= clear / 2 - near));
   std::vector<std::uint32_t> sorted = placement.team_candidates;
   std::sort(sorted.begin(), sorted.end());
   CHECK(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end());

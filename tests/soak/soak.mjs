@@ -23,22 +23,38 @@ const found = path.join(root, "build/soak/found");
 
 const row = (kind, cases, passedOver, failures) => ({ kind, cases, passedOver, failures });
 
-// The C++ program's searches: the oracle; one shape, one answer; answers within their bounds of time.
-const searchOf = (kind) => async (seconds, seed) => {
-  const program = path.join(bin, "evenlift_soak");
-  const { lines, status, ending } = await run([program, kind, `${seed}`, `${Math.ceil(seconds)}`], {
+// A program that prints what is wrong, and at last how many it tried.
+const searchBy = (kind, command) => async (seconds, seed) => {
+  const words = command(seed, Math.ceil(seconds));
+  const { lines, status, ending } = await run(words, {
     seconds: seconds + 300,
     onLine: (line) => line.startsWith("tried ") || console.log(line),
   });
   const totals = /^tried (\d+), passed over (\d+), failed (\d+)$/.exec(lines.at(-1) ?? "");
   if (!totals || (status !== 0 && totals[3] === "0")) {
     console.log(
-      `${kind}: the program ended with ${ending}; to repeat it: build/bin/evenlift_soak ${kind} ${seed} ${Math.ceil(seconds)}`,
+      `${kind}: the program ended with ${ending}; to repeat it: ${words.map((word) => word.replace(`${root}/`, "")).join(" ")}`,
     );
     return row(kind, 0, 0, 1);
   }
   return row(kind, Number(totals[1]), Number(totals[2]), Number(totals[3]));
 };
+
+// The C++ program's searches: the oracle; one shape, one answer; answers within their bounds of time.
+const searchOf = (kind) =>
+  searchBy(kind, (seed, seconds) => [path.join(bin, "evenlift_soak"), kind, `${seed}`, `${seconds}`]);
+
+// Robots that are off by less than promised.
+const searchAccuracy = searchBy("accuracy", (seed, seconds) => [
+  "python3",
+  path.join(root, "tests/accuracy/check_accuracy.py"),
+  path.join(bin, "evenlift"),
+  path.join(root, "assets/polygons"),
+  "--seed",
+  `${seed}`,
+  "--seconds",
+  `${seconds}`,
+]);
 
 const placements = "native = WebAssembly";
 async function searchPlacements(seconds, seed) {
@@ -92,6 +108,7 @@ const comparisons = [
 ];
 // Their time is measured, so they are not among those that a busy machine runs.
 const bounds = { part: 4, search: searchOf("bounds") };
+const accuracy = { part: 4, search: searchAccuracy };
 const fuzzing = Object.keys(fuzzers).map((name) => ({ part: 1, search: fuzz(name) }));
 
 // `together` at a time, in about this many seconds. Returns the table's rows in order.
@@ -139,7 +156,7 @@ async function main([...argv]) {
   console.log(`evenlift: soaking for ${minutes} minutes, seed ${seed}`);
   await rm(found, { recursive: true, force: true });
   await mkdir(found, { recursive: true });
-  const searches = onlyCompares ? comparisons : [...comparisons, bounds, ...fuzzing];
+  const searches = onlyCompares ? comparisons : [...comparisons, bounds, accuracy, ...fuzzing];
   const rows = await runAll(searches, minutes * 60, seed, Math.max(1, cpus().length));
   console.log(table(rows));
   // A search that tried nothing proves nothing.

@@ -154,7 +154,10 @@ std::uint32_t level_of(const Placement& p) {
   std::uint32_t level = 0;
   for (const double bound : {0.001, 0.4 * firm.min_margin, firm.min_margin})
     level += margin >= bound;
-  return level;
+  const bool is_firm =
+      analyse_clearance(p.polygon(), p.centre_of_mass, contacts(p.polygon(), contact_points(p)))
+          .tolerance >= firm.tolerance - near;
+  return is_firm ? level : 0;
 }
 
 }  // namespace
@@ -211,8 +214,9 @@ TEST_CASE("as robots shrink the placement becomes that of points", "[stands]") {
     REQUIRE(robots.ok());
     INFO(name);
     ++compared;
-    // Other candidates may win ties, as in symmetric shapes.
-    same += std::fabs(robots->coverage - points->coverage) < 1e-4 ? 1 : 0;
+    // Other candidates may win ties, as in symmetric shapes. Robots keep 1/1000 of an edge from its
+    // ends.
+    same += std::fabs(robots->coverage - points->coverage) < 5e-3 ? 1 : 0;
   }
   CHECK(compared > 60);
   CHECK(same >= compared * 9 / 10);

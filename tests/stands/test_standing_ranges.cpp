@@ -287,8 +287,9 @@ TEST_CASE("as robots in their ranges shrink the placement becomes that of points
       REQUIRE(robots.ok());
       INFO(name);
       ++compared;
-      // Other candidates may win ties, as in symmetric shapes.
-      same += std::fabs(robots->coverage - points->coverage) < 1e-4;
+      // Other candidates may win ties, as in symmetric shapes. Robots keep 1/1000 of an edge from its
+      // ends.
+      same += std::fabs(robots->coverage - points->coverage) < 5e-3;
     }
   }
   CHECK(compared > 120);

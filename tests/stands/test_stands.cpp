@@ -61,7 +61,7 @@ RobotSize sized(double radius, double reach = 0, double depth = 0, double width 
 }
 
 std::vector<Stretch> stretches(const Stands& stands, std::uint32_t edge) {
-  return {stands.usable(edge).begin(), stands.usable(edge).end()};
+  return {stands.room(edge).begin(), stands.room(edge).end()};
 }
 
 // The order and bounds of the usable ranges.
@@ -70,7 +70,7 @@ void check_order(const Polygon& polygon, const Stands& stands) {
   for (std::uint32_t edge = 0; edge < polygon.size(); ++edge) {
     double before = -1;
     const double size = length(polygon.edge_end(edge) - polygon.edge_start(edge));
-    for (const Stretch& stretch : stands.usable(edge)) {
+    for (const Stretch& stretch : stands.room(edge)) {
       CHECK(stretch.from > before);
       CHECK(stretch.to - stretch.from >= near * (1 - 1e-6));
       CHECK(stretch.from >= 0);
@@ -114,7 +114,7 @@ Family family_of(std::uint64_t number) {
 }  // namespace
 
 TEST_CASE("a point without marked edges can stand anywhere, and nothing is computed", "[stands]") {
-  const auto stands = make_stands(solid(square()), Settings{});
+  const auto stands = make_stands(solid(square()), {}, Settings{});
   REQUIRE(stands.ok());
   CHECK_FALSE(*stands);
 }
@@ -492,26 +492,26 @@ TEST_CASE("two robots collide as bodies, arms and hands say", "[stands][slow]") 
 TEST_CASE("errors of stands name the setting and say why", "[stands][errors]") {
   Settings settings;
   settings.no_go = {{7, 0, 1}};
-  auto refusedThere = make_stands(solid(square()), settings);
+  auto refusedThere = make_stands(solid(square()), {}, settings);
   REQUIRE_FALSE(refusedThere.ok());
   CHECK(refusedThere.error().message == "there is no edge 8; the polygon has 4");
   CHECK(refusedThere.error().place.option == "no_go");
   settings.no_go = {{0, 0, 1}, {1, 0, 1}, {2, 0, 1}, {3, 0, 1}};
-  CHECK(make_stands(solid(square()), settings).error().message ==
+  CHECK(make_stands(solid(square()), {}, settings).error().message ==
         "the no-go edges leave no edge for the robots");
   settings.no_go.clear();
   settings.robot = sized(0, 0, 2, 0.1);
-  CHECK(make_stands(solid(square()), settings).error().message ==
+  CHECK(make_stands(solid(square()), {}, settings).error().message ==
         "no edge has room for a hand of depth 2 and width 0.1");
   settings.robot = sized(0.1, 0, 2, 0.1);
-  CHECK(make_stands(solid(square()), settings).error().message ==
+  CHECK(make_stands(solid(square()), {}, settings).error().message ==
         "no edge has room for a robot of radius 0.1, with a hand of depth 2 and width 0.1");
   settings.robot = sized(0.1, 0, 0, 3);
-  CHECK(make_stands(solid(square()), settings).error().message ==
+  CHECK(make_stands(solid(square()), {}, settings).error().message ==
         "no edge has room for a robot of radius 0.1, with a hand of depth 0 and width 3");
   settings.robot = sized(0.1, 5, 2, 0);
   CHECK(
-      make_stands(solid(square()), settings).error().message ==
+      make_stands(solid(square()), {}, settings).error().message ==
       "no edge has room for a robot of radius 0.1 and reach 5, with a hand of depth 2 and width 0");
 }
 

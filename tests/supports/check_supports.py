@@ -158,6 +158,15 @@ def is_within(value, bound, ambiguous=0.5):
     return value <= bound
 
 
+def is_notch(polygon, vertex):
+    """Reflex, and turning by more than 15 degrees."""
+    if polygon.turn_at(vertex) >= 0:
+        return False
+    u, v = minus(*polygon.edges[vertex - 1][::-1]), minus(*polygon.edges[vertex][::-1])
+    cosine = float(dot(u, v)) / math.sqrt(float(dot(u, u)) * float(dot(v, v)))
+    return cosine < math.cos(math.radians(15))
+
+
 def place_of(polygon, p, snap):
     """The place of a support; of the kind "outside" with its distance in place of the edge."""
     near = TAU * polygon.size
@@ -166,6 +175,13 @@ def place_of(polygon, p, snap):
     least = min(distances)
     if not is_within(least, snap, 0.01):
         return Place("beneath", p, None, None) if polygon.contains(p) else Place("outside", p, least, None)
+    if least > 2.0**-50 * max(map(abs, p)):
+        notches = [i for i in range(len(polygon.vertices)) if is_notch(polygon, i)]
+        near_notches = [i for i in notches if is_within(distance(polygon.vertices[i], p), snap, 0.01)]
+        if len(near_notches) > 1:
+            raise Ambiguous
+        if near_notches:
+            return Place("edge", polygon.vertices[near_notches[0]], None, near_notches[0])
     edge = next(i for i, d in enumerate(distances) if is_within(d - least, near))
     corners = [i for i, v in enumerate(polygon.vertices) if is_within(distance(points[edge], v), near)]
     if corners:
@@ -592,7 +608,9 @@ class Run:
             expect(done.stdout == "" and done.stderr.startswith("evenlift: ") and done.stderr.count("\n") == 1,
                    f"an error is one line on standard error, not {done.stderr!r}")
             return Answer(2, None, done.stderr)
-        expect(done.stderr == "", f"a message without an error: {done.stderr!r}")
+        # What the snap distance did is told.
+        told = all(line.startswith("evenlift: --supports: ") for line in done.stderr.splitlines())
+        expect(told, f"a message without an error: {done.stderr!r}")
         return Answer(done.returncode, json.loads(done.stdout), "")
 
 
@@ -678,7 +696,7 @@ def support(rng, polygon, kind):
     edge = rng.randrange(len(polygon.edges))
     a, b = polygon.edges[edge]
     on_edge = along(a, b, Fraction(rng.randint(1, 7), 8))
-    size, snap = polygon.size, 1e-6 * polygon.size
+    size, snap = polygon.size, 1e-4 * polygon.size
     if kind == "vertex":
         return a
     if kind == "edge":
@@ -692,7 +710,7 @@ def support(rng, polygon, kind):
     if kind == "beside":
         return beside(polygon, edge, on_edge, 1e-3 * size)
     if kind == "hair":
-        return beside(polygon, edge, on_edge, rng.choice([1e-9, -1e-9, 0.7e-6, -0.7e-6, 1.5e-6, 6e-6]) * size)
+        return beside(polygon, edge, on_edge, rng.choice([1e-9, -1e-9, 0.7e-4, -0.7e-4, 1.5e-4, 6e-4]) * size)
     if kind == "at vertex":
         return as_doubles(x + Fraction(rng.uniform(-1, 1) * 1e-10 * size) for x in a)
     if kind == "near vertex":
@@ -880,7 +898,7 @@ def any_supports(rng, program):
         supports.append(rng.choice(supports))
     if rng.random() < 0.2:
         supports = normals_through(rng, polygon) or supports
-    snap, more, capacities = 1e-6 * polygon.size, [], None
+    snap, more, capacities = 1e-4 * polygon.size, [], None
     if rng.random() < 0.15:
         snap = float(Fraction(polygon.size / 300))
         more = ["--snap", repr(snap)]
@@ -915,7 +933,7 @@ def deciding_vertex(rng, program):
     if any(closure_of(polygon, touch + rest, exact) == closure_of(polygon, right + rest, exact) for touch in wrong):
         raise Ambiguous
     supports = [polygon.vertices[vertex], *(p for p, _ in rest)]
-    places, options = placed_case(polygon, supports, 1e-6 * polygon.size, centre, Fraction(100))
+    places, options = placed_case(polygon, supports, 1e-4 * polygon.size, centre, Fraction(100))
 
     def check(answer):
         expect(answer.status == 0, f"exit status {answer.status}: {answer.error}")
@@ -934,7 +952,7 @@ def second_order(rng, program):
         raise Ambiguous
     if rng.random() < 0.3:
         supports.append(support(rng, polygon, "edge"))
-    places, options = placed_case(polygon, supports, 1e-6 * polygon.size, centre, Fraction(100))
+    places, options = placed_case(polygon, supports, 1e-4 * polygon.size, centre, Fraction(100))
     contacts = [contact for place in places for contact in contacts_of(polygon, place)]
     if translation_is_free(contacts):
         raise Ambiguous
@@ -958,11 +976,11 @@ def line_through_centre(rng, program):
     origin = centre if rng.random() < 0.7 else (centre[0] + unit, centre[1])
     reach = rng.choice([range(-8, 9), range(1, 9), range(2, 3), range(0, 1)])
     on_line = [along(origin, (origin[0] + direction[0], origin[1] + direction[1]), Fraction(k)) for k in reach]
-    on_line = [p for p in on_line if place_of(polygon, p, 1e-6 * polygon.size).kind != "outside"]
+    on_line = [p for p in on_line if place_of(polygon, p, 1e-4 * polygon.size).kind != "outside"]
     if not on_line:
         raise Ambiguous
     supports = [rng.choice(on_line) for _ in range(rng.randint(1, 5))]
-    places, options = placed_case(polygon, supports, 1e-6 * polygon.size, centre, Fraction(100))
+    places, options = placed_case(polygon, supports, 1e-4 * polygon.size, centre, Fraction(100))
 
     def check(answer):
         expect(answer.status == 0, f"exit status {answer.status}: {answer.error}")
@@ -986,7 +1004,7 @@ def edge_through_centre(rng, program):
     centre = as_doubles(along(middle, c, way))
     if not strictly_inside_hull(centre, polygon.hull):
         raise Ambiguous
-    supports, snap = [a, b, c], 1e-6 * polygon.size
+    supports, snap = [a, b, c], 1e-4 * polygon.size
     places = [place_of(polygon, p, snap) for p in supports]
     points = [place.point for place in places]
     closure_of(polygon, [contact for place in places for contact in contacts_of(polygon, place)], centre)
@@ -1014,13 +1032,13 @@ def outside_support(rng, program):
     p = beside(polygon, edge, along(*polygon.edges[edge], Fraction(rng.randint(0, 8), 8)), -way)
     at = rng.randint(0, len(supports))
     supports.insert(at, p)
-    place = place_of(polygon, p, 1e-6 * polygon.size)
+    place = place_of(polygon, p, 1e-4 * polygon.size)
     if place.kind != "outside":
         raise Ambiguous
 
     def check(answer):
         expect(answer.status == 2, f"exit status {answer.status}, though supports[{at}] is outside")
-        told = re.search(r"supports\[(\d+)\]: \((\S+), (\S+)\) is (\S+) outside the object\n$", answer.error)
+        told = re.search(r"supports\[(\d+)\]: \((\S+), (\S+)\) is (\S+) outside the object(?:; --snap \S+ puts it at the edge)?\n$", answer.error)
         expect(told is not None, f"the sentence is {answer.error!r}")
         expect(int(told[1]) == at, f"it names supports[{told[1]}], not supports[{at}]")
         for k in (0, 1):
@@ -1041,7 +1059,7 @@ def evened_out(rng, program, hard=False):
     if chords:  # already even
         supports = [as_doubles(p) for chord in rng.sample(chords, rng.randint(1, min(3, len(chords)))) for p in chord]
         count = len(supports)
-    points = [place_of(polygon, p, 1e-6 * polygon.size).point for p in supports]
+    points = [place_of(polygon, p, 1e-4 * polygon.size).point for p in supports]
     middles = [middle_of(points, exact, pair) for pair in itertools.combinations(range(count), 2)]
     if hard and any(strictly_inside_hull(middle, polygon.hull) for middle in middles):
         raise Ambiguous
@@ -1110,7 +1128,7 @@ def required(rng, program):
     centre = random_centre(rng, polygon)
     kinds = rng.choice([["edge"], ["vertex", "edge", "inside"], ["edge", "edge", "hair"]])
     supports = [support(rng, polygon, rng.choice(kinds)) for _ in range(rng.randint(2, 8))]
-    places, options = placed_case(polygon, supports, 1e-6 * polygon.size, centre, weight)
+    places, options = placed_case(polygon, supports, 1e-4 * polygon.size, centre, weight)
     points, exact = [place.point for place in places], centre or as_doubles(polygon.centroid())
     right, loads = standing_of(polygon, points, exact), None
     if not right.stands and rng.random() < 0.7:  # most sets stand

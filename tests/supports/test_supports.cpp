@@ -130,6 +130,7 @@ TEST_CASE("a support near the outline stands at the edge, and farther inside ben
   CHECK(one({1, 1e-7}).at == Vec2(1, 0));
   CHECK(one({1, -1e-7}).at == Vec2(1, 0));
   CHECK(one({1e-9, 1e-9}).at == Vec2(0, 0));
+  CHECK_FALSE(one({1, 1e-4}).beneath);
   CHECK(one({1, 1e-3}).beneath);
   CHECK(one({1, 1e-3}, 1e-2).at == Vec2(1, 0));
   CHECK(one({1, 1e-12}, 0.0).beneath);
@@ -143,7 +144,11 @@ TEST_CASE("a support outside the object is refused by its number", "[supports][e
   const InputError right = refused({170, 0});
   CHECK(right.message == "(170, 0) is 10 outside the object");
   CHECK(right.place.option == "supports[3]");
-  CHECK(refused({-1e-3, 0}).place.option == "supports[3]");
+  // Nearly at the edge: L is 184.
+  CHECK(refused({-0.0213, 0}).message ==
+        "(-0.0213, 0) is 0.0213 outside the object; --snap 0.03 puts it at the edge");
+  CHECK(refused({-0.02, 0}).message ==
+        "(-0.02, 0) is 0.02 outside the object; --snap 0.02 puts it at the edge");
   CHECK(refused({1e-200, 0}).place.option == "supports[3]");
   CHECK(refusal(standing_on({})).place.option == "supports");
   Document capacities = standing_on(unit_square);
@@ -152,6 +157,28 @@ TEST_CASE("a support outside the object is refused by its number", "[supports][e
   Document moved = standing_on(unit_square);
   moved.moved.robots = {{0, 0.5}};
   refusal(moved);
+}
+
+TEST_CASE("a support near a notch stands in it", "[supports]") {
+  Document document =
+      standing_on({{5.0002, 0.9999}}, {{0, 0}, {4, 0}, {5, 1}, {6, 0}, {10, 0}, {10, 10}, {0, 10}});
+  CHECK(placed_robots(placed(document))[0].at == Vec2(5, 1));
+  document.settings.snap = 1e-5;
+  CHECK(placed_robots(placed(document))[0].at != Vec2(5, 1));
+}
+
+TEST_CASE("what the snap distance does is told", "[supports]") {
+  const auto notes = [](const Points& supports) {
+    const Document document = standing_on(supports, {{0, 0}, {100, 0}, {100, 100}, {0, 100}});
+    return snap_notes(placed(document).object, document.settings);
+  };
+  CHECK(notes({{0, 0}, {50, 50}}).empty());
+  CHECK(notes({{0, 0}, {50, 1e-5}}).empty());  // L is 141
+  CHECK(notes({{0, 0}, {50, 0.0101}, {50, 100.01}}) ==
+        std::vector<std::string>{"2 supports were put at the edge, at most 0.0101 away"});
+  CHECK(notes({{50, 0.02}, {50, 0.13}}) ==
+        std::vector<std::string>{
+            "robot 1 is beneath the object, 0.02 from the edge; --snap 0.02 puts it at the edge"});
 }
 
 TEST_CASE("robots beneath touch nothing sideways", "[supports]") {

@@ -49,13 +49,28 @@ TEST_CASE("the JSON of a placement has cli.md's shape", "[json]") {
     document.settings.method = method;
     const Placement placement = placed(document);
     const Json plain = Json::parse(placement_json(placement, false));
-    CHECK(plain.names() == Names{"polygon",      "centre_of_mass", "own_centre_of_mass",
-                                 "total_weight", "metric",         "min_ratio",
-                                 "weight",       "seed",           "requested_teams",
-                                 "teams",        "robots",         "hull",
-                                 "coverage",     "loads",          "closure",
-                                 "goal",         "goal_reached",   "stands",
-                                 "verdict",      "clear",          "robustness",
+    CHECK(plain.names() == Names{"polygon",
+                                 "centre_of_mass",
+                                 "own_centre_of_mass",
+                                 "total_weight",
+                                 "metric",
+                                 "min_ratio",
+                                 "weight",
+                                 "seed",
+                                 "requested_teams",
+                                 "teams",
+                                 "robots",
+                                 "hull",
+                                 "coverage",
+                                 "loads",
+                                 "closure",
+                                 "goal",
+                                 "goal_reached",
+                                 "stands",
+                                 "verdict",
+                                 "clear",
+                                 "robustness",
+                                 "accuracy",
                                  "tilt"});
     const Json full = Json::parse(placement_json(placement, true));
     CHECK(full.contains("candidates"));

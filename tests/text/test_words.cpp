@@ -28,7 +28,12 @@ Placement three_teams() {
   placement.requested_teams = 3;
   placement.teams.resize(3);
   for (Team& team : placement.teams) team = bearing(15.24, 18.06);
-  placement.lifting_base = {{0, 0}, {1, 0}, {0, 1}};
+  // A wide base around C.
+  placement.lifting_base = {{-3, -3}, {6, -3}, {6, 6}, {-3, 6}};
+  for (std::size_t i = 0; i < placement.teams.size(); ++i)
+    for (std::size_t end = 0; end < 2; ++end)
+      placement.teams[i].robots[end].point.position =
+          placement.lifting_base[std::min<std::size_t>(2 * i + end, 3)];
   placement.coverage = 0.814;
   placement.loads = LoadSummary{15.24, 100.0 / 6, 18.06, 2.82, 0.54};
   placement.closure.margin = -0.1;
@@ -52,11 +57,12 @@ TEST_CASE("the verdict is a few plain sentences", "[words]") {
   Placement placement = three_teams();
   CHECK(verdict(placement) ==
         "6 robots carry 15.2–18.1\u00A0kg each (100\u00A0kg in all). It can still turn clockwise. "
-        "81\u00A0% of the object can be pressed down on without tipping it.");
+        "81\u00A0% of the object can be pressed down on without tipping it. All of this holds if "
+        "robots stand within 3 of their places.");
   placement.coverage = 0.4;
   CHECK(
       plainly(detail_in_words(placement)) ==
-      "Only 40 % of the object, less than half, can be pressed down on without tipping it. It can still turn clockwise.");
+      "Only 40 % of the object, less than half, can be pressed down on without tipping it. It can still turn clockwise. All of this holds if robots stand within 3 of their places.");
   placement.requested_teams = 5;
   placement.loads = LoadSummary{16.66, 16.66, 16.66, 0, 0.5};
   CHECK(plainly(loads_in_words(placement)) == "6 robots carry 16.7 kg each (100 kg in all).");
@@ -130,7 +136,7 @@ TEST_CASE("on what part of the object a push does not tip it is said in words", 
         "Less than 1 % of the object can be pressed down on without tipping it.");
   CHECK(coverage(0) == "Pressing down anywhere on the object can tip it.");
   CHECK(coverage(1e-12) == "Pressing down anywhere on the object can tip it.");
-  placement.lifting_base.pop_back();
+  placement.lifting_base.resize(2);
   CHECK(coverage(0) == "They stand on one line, so the object can tip.");
 }
 
@@ -152,17 +158,20 @@ TEST_CASE("what can still move is named, and what holds the object", "[words]") 
   placement.closure.second_order = false;
   placement.closure.clearance = {100, 4, 12.9};
   CHECK(plainly(closure_in_words(placement)) ==
-        "The robots' contact alone stops it from sliding or turning. Robots may be off by 12 along "
-        "their edges.");
+        "The robots' contact alone stops it from sliding or turning.");
   CHECK(is_held(placement));
   // A hold by a hair is unreliable.
   placement.settings.clear = 0.1;
   placement.closure.clearance = {0.0912, 4, 0.05};
   CHECK(plainly(closure_in_words(placement)) ==
-        "The hold depends on the accuracy of robot 5, which stands only 0.091 from a corner.");
+        "It is held only as long as robot 5 stands accurately: it is only 0.091 from a corner.");
   CHECK_FALSE(is_held(placement));
   placement.settings.clear = 0.09;
   CHECK(is_held(placement));
+  placement.closure.clearance.tolerance = 0.0449;
+  CHECK(plainly(closure_in_words(placement)) ==
+        "It is held only as long as robots stand within 0.044 of their places.");
+  CHECK_FALSE(is_held(placement));
   placement.closure = {};
   placement.closure.margin.reset();
   CHECK(closure_in_words(placement) ==

@@ -218,6 +218,7 @@ TEST_CASE("among many candidates teams are swapped when a drag ends, and not bef
   Document comb;
   comb.vertices = *generate(Family::comb, 200, 1);
   comb.settings.goal = Goal::hold;
+  comb.settings.clear = 0;  // so that small margins count
   AppState state;
   begin(state, placed(comb));
   const auto taken = [](const Document& document) {

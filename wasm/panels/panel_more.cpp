@@ -45,6 +45,13 @@ constexpr LengthRow clear{Setting::clear,
                           "Distance of holds from corners",
                           &Settings::clear,
                           "Default: 2 % of the object's radius"};
+constexpr LengthRow accuracy_row{
+    Setting::accuracy,
+    "Accuracy",
+    "Robots may be off their places by this: what is found still holds",
+    "How far robots may be off their places",
+    &Settings::accuracy,
+    "Default: exact, but you are told how far robots may be off"};
 constexpr LengthRow apart{Setting::apart,
                           "Keep apart",
                           "Robots should be at least this far from each other",
@@ -57,7 +64,7 @@ constexpr LengthRow snap{Setting::snap,
                          "Robots within this distance of the outline stand at the edge",
                          "Snap distance of robots",
                          &Settings::snap,
-                         "Default: a millionth of the object's size"};
+                         "Default: 1/10,000 of the object's size"};
 
 constexpr Choice length_units[] = {{"no unit"}, {"m"}, {"cm"}, {"mm"}, {"in"}};
 constexpr Choice weight_units[] = {{"kg"}, {"t"}, {"N"}, {"lb"}};
@@ -114,6 +121,7 @@ void draw_rows(const Ui& ui) {
   draw_length(ui, uncertainty);
   if (disturbance_of(shown(ui.state)).any()) draw_block(ui, uncertainty_words(ui.state), 5);
   draw_length(ui, clear);
+  draw_length(ui, accuracy_row);
   draw_units(ui);
   if (settings(ui.state).method == Method::given) draw_length(ui, snap);
   if (settings(ui.state).method != Method::balanced) return;

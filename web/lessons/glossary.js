@@ -27,7 +27,7 @@ const words = [
   ],
   [
     "Clearance",
-    "The smallest distance between a corner and a contact that a hold needs. At the corner itself the contact is lost, so a hold that needs a robot a hair’s breadth from a corner cannot be built; the verdict warns of this. The tolerance is the distance that all robots at once may be off along their edges without losing form closure, if robots in corners that point inwards stay there.",
+    "The smallest distance between a corner and a contact that a hold needs. At the corner itself the contact is lost, so a hold that needs a robot a hair’s breadth from a corner cannot be built; the verdict warns of this. How far all robots at once may be off while everything that is told stays true is said in the verdict; it may be this hold that ends first.",
   ],
   [
     "Contact",

@@ -27,14 +27,11 @@ struct Contact {
   Vec2 position;
   std::uint32_t edge = 0;
   std::uint32_t point = 0;  // the index of the robot's lifting point
-  // The distance from the nearest corner (Polygon::is_corner) at an end of the contact's edge;
-  // edges joined by straight vertices count as one edge. It is infinite if there is no such corner,
-  // and also in a reflex vertex, whose notch keeps the robot in place.
+  // The distance along the outline to the nearest corner (Polygon::is_corner), past vertices that
+  // turn little; infinite if there is none, or none before the next notch (Polygon::is_notch).
   double to_corner = std::numeric_limits<double>::infinity();
-  // The distance from the nearest convex vertex at an end of the contact's straight side, however
-  // little the outline turns there. A robot beyond that vertex touches another side. The distance
-  // is infinite if there is no such vertex, and also in a reflex vertex.
-  double to_end = std::numeric_limits<double>::infinity();
+  // The robot stands in a notch, and is pressed into it: it stands exactly.
+  bool in_notch = false;
 };
 
 // The unit vector in whose direction a contact pushes the object: into the object, perpendicular to
@@ -69,26 +66,35 @@ struct FreeRegions {
 FreeRegions free_regions(const Polygon& polygon, const Vec2& centre,
                          const std::vector<Contact>& contacts);
 
-// How precisely robots must stand, in units of length. Let m(k) be the margin of the contacts at
-// least k from corners, and s(k) the margin of the contacts at least k from the ends of their
-// straight sides. R is the greatest distance of a vertex from C.
+// How precisely robots must stand, in units of length (algorithm.md, Clearance and tolerance).
 struct Clearance {
-  // The supremum of the k with m(k) > 0. It is infinite if form closure needs no contact on a side
-  // that ends at a corner, and 0 without form closure.
+  // Let m(k) be the margin of the contacts at least k from corners. The clearance is the supremum
+  // of the k with m(k) > 0. It is infinite if form closure needs no contact on a side that ends at
+  // a corner, and 0 without form closure.
   double distance = 0;
   // The lifting point whose contact is at that distance from a corner. The contacts farther from
   // corners do not hold the object on their own. Empty if the distance is 0 or infinite.
   std::optional<std::uint32_t> point;
-  // The supremum of min(k, R s(k)); 0 without form closure. Form closure persists if all robots are
-  // off along their sides by less than that, in any combination, provided that robots in reflex
-  // vertices stay there. The contacts in s(k) then stay on their sides, and each wrench (see
-  // Closure), and so the margin, changes by at most the displacement divided by R.
+  // Form closure persists if all robots are off along the outline by less than this, in any
+  // combination, provided that robots in notches stay there; see holds_within(). 0 without form
+  // closure; infinite if robots in notches suffice. Unless vertices that are not corners are within
+  // reach, the hold is lost just beyond it when all robots are off in the same sense.
   double tolerance = 0;
 };
 
-// The clearance of a hold by m contacts. Costs O(log m) analyses like analyse_hold().
+// The clearance of a hold by m contacts. Costs O(log m) analyses like analyse_hold(), and some 50
+// calls of holds_within().
 Clearance analyse_clearance(const Polygon& polygon, const Vec2& centre,
                             const std::vector<Contact>& contacts);
+
+// Whether form closure surely persists if all robots are off along the outline by up to `error`. A
+// robot on one straight side changes only the moment of its wrench (see Closure), by up to error /
+// R, and in the worst case all do in the same sense. Beyond a vertex, the normal turns too: a
+// contact whose wrench may then be x away from those on its own side counts only if the margin of
+// the contacts with at most this x exceeds x. Of more than 128 contacts, 128 count. Costs a few
+// margins, and O(contacts + vertices within `error` of each).
+bool holds_within(const Polygon& polygon, const Vec2& centre, const std::vector<Contact>& contacts,
+                  double error);
 
 struct Closure {
   bool form_closure = false;  // whether no motion is free to first order
@@ -116,20 +122,25 @@ Hold analyse_hold(const Polygon& polygon, const Vec2& centre, const std::vector<
 Hold analyse_hold(const Polygon& polygon, const Vec2& centre,
                   const std::vector<LiftingPoint>& points);
 
-// The minimum margin, and the least distance from corners at which contacts count.
+// What a hold must have to count as one: the minimum margin, the least distance from corners at
+// which contacts count, and the least tolerance (algorithm.md, A hold is firm).
 struct HoldRequirements {
   double min_margin = 0.05;
   double clear = 0;
+  double tolerance = 0;
+  // After a failure, and also without one, C should be at least this far inside the lifting base.
+  double inside = 0;
 };
 
 // The requirements in the settings. If the setting `clear` is empty, the distance is usual_clear
-// (document.h) times R. O(n).
+// (document.h) times R. The tolerance is half of that, and `inside` is that, or the setting
+// `accuracy` if it is more. O(n).
 HoldRequirements hold_requirements(const Polygon& polygon, const Vec2& centre,
                                    const Settings& settings);
 
-// Whether the clearance is at least `clear`, within tau L. If so, and there is form closure, the
-// contacts at least `clear` from corners suffice for it. O(1).
-bool is_clear(const Polygon& polygon, const Clearance& clearance, double clear);
+// Whether the clearance and the tolerance are at least those required, within tau L. If so, and
+// there is form closure, the contacts at least `clear` from corners suffice for it. O(1).
+bool is_firm(const Polygon& polygon, const Clearance& clearance, const HoldRequirements& hold);
 
 // The form_closure of analyse_closure(), at less cost. Adding points never ends form closure. O(m
 // log m + n log n).

@@ -186,6 +186,9 @@ struct Settings {
   // For a hold, searches rely on no contact nearer than this to a corner; after a failure, C should
   // be at least this far inside the lifting base. >= 0; empty means usual_clear times R.
   std::optional<double> clear;
+  // Each robot may be off its place by up to this, along its edge or, beneath the object, in any
+  // direction (accuracy.h). 0 .. max_length; empty means 0.
+  std::optional<double> accuracy;
   std::uint32_t survive = 0;  // the number of balanced robots whose failure should leave the object
                               // steady; F failures need at least 2 F + 3 robots
   Positions positions = Positions::best;  // of teams of two; balanced robots may stand anywhere
@@ -194,7 +197,7 @@ struct Settings {
   std::vector<Cargo> cargo;     // at most max_cargo items
   Points supports;              // for Method::given, 1 .. most_supports (supports.h)
   std::optional<double> snap;   // supports within this distance of the outline stand at the edge,
-                                // 0 .. max_length; empty means 1e-6 L
+                                // 0 .. max_length; empty means 1e-4 L
   bool operator==(const Settings&) const = default;
 };
 

@@ -40,7 +40,7 @@ struct Placement {
   // Empty if there are no teams, or if the object falls (equilibrium.h).
   std::optional<LoadSummary> loads;
   Closure closure;
-  bool goal_reached = false;  // there are robots and, with the goal `hold`, hold_clearly() is true
+  bool goal_reached = false;  // there are robots and, with the goal `hold`, hold_firmly() is true
   Moved moved = {};           // the robots that the user moved by hand (moved.h)
   bool search_ended = true;   // false while a search or swaps may still find better robots
   bool cut_short = false;  // whether a limit of work ended the search (most_work in balanced.h) or
@@ -67,9 +67,10 @@ std::vector<LiftingPoint> contact_points(const Placement& placement);
 // The margin and clearance that the settings require (closure.h). O(n).
 HoldRequirements hold_requirements(const Placement& placement);
 
-// Whether the robots hold the object in form closure without relying on a contact nearer to a
-// corner than the setting `clear` (closure.h). O(n).
-bool hold_clearly(const Placement& placement);
+// Whether the robots hold the object in form closure, without relying on a contact nearer to a
+// corner than the setting `clear`, and even if they are off by the tolerance that is required
+// (closure.h). O(n).
+bool hold_firmly(const Placement& placement);
 
 // Checks the document and computes its placement. The same document gives the same bits on every
 // platform. The errors are those of check_settings(), Polygon::create(),

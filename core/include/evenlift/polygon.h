@@ -48,9 +48,10 @@ class Polygon {
   // turn is at most tau; otherwise the decision is exact. O(1).
   Turn turn(std::size_t i) const;
 
-  // Whether vertex i is convex with a turn of more than 15 degrees, within tau. The vertices of a
-  // finely flattened curve are not corners. O(1).
-  bool is_corner(std::size_t i) const;
+  // Whether vertex i turns by more than 15 degrees, within tau: at a corner if it is convex, into a
+  // notch if it is reflex. The vertices of a finely flattened curve are neither. O(1).
+  bool is_corner(std::size_t i) const { return turn(i) == Turn::convex && turns_sharply(i); }
+  bool is_notch(std::size_t i) const { return turn(i) == Turn::reflex && turns_sharply(i); }
 
   // The corners of the convex hull, counter-clockwise from the lowest of the leftmost, without
   // straight vertices. Exact. O(1).
@@ -58,6 +59,7 @@ class Polygon {
 
  private:
   Polygon() = default;
+  bool turns_sharply(std::size_t i) const;
   double turn_side(std::size_t i) const;  // exact sign: positive at a convex vertex
 
   Points vertices_;

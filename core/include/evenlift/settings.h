@@ -38,6 +38,7 @@ enum class Setting : std::uint8_t {
   apart,
   survive,
   clear,
+  accuracy,
   robot_radius,
   robot_reach,
   robot_depth,

@@ -57,21 +57,33 @@ struct EdgeFrame {
 // conditions. If a robot has a body (has_body()), usable intervals stay 2 tau L away from the
 // vertices, so that a contact counts as inside the edge. A robot without a body may stand at a
 // vertex, unless a no-go part reaches the vertex; then intervals also stay 2 tau L away from it.
+// What searches keep away from, beyond what robots need at their exact places (algorithm.md,
+// Accuracy).
+struct StandReserve {
+  double accuracy = 0;     // robots may be off along the outline by this
+  double from_corner = 0;  // the distance of contacts from corners, at least `accuracy`
+  double part = 0;         // of the length of a robot's room, from its ends; for bodies
+};
+
 class Stands {
  public:
   // The size and the parts must be in their ranges, and the edges of the parts must exist. A tree
   // of boxes finds the other edges near each edge. O(n log n + k log k) if the outline does not
   // wind much; k is the number of pairs of edges in which one may obstruct robots at the other.
-  Stands(const PolygonWithHoles& object, const RobotSize& robot,
-         const std::vector<EdgePart>& no_go);
+  Stands(const PolygonWithHoles& object, const RobotSize& robot, const std::vector<EdgePart>& no_go,
+         const StandReserve& reserve = {});
 
   const RobotSize& robot() const { return robot_; }
   // Whether a robot is more than a point.
   bool has_body() const { return robot_.has_body(); }
-  // Whether a robot can stand anywhere at all.
-  bool any() const { return !usable_.empty(); }
+  // Whether a robot can stand anywhere at all, and whether searches may use anything of that.
+  bool any() const { return !room_.parts.empty(); }
+  bool any_usable() const { return !usable_.parts.empty(); }
 
-  // The usable intervals of an edge: disjoint, closed, in ascending order, none shorter than tau L.
+  // room() returns the intervals of an edge where robots can stand: disjoint, closed, in ascending
+  // order, none shorter than tau L. usable() returns what of them searches use. Where an interval
+  // ends, and does not go on beyond a vertex that turns little, robots keep away from the end as
+  // the reserve says.
   struct Stretches {
     const Stretch* first;
     const Stretch* last;
@@ -79,9 +91,8 @@ class Stands {
     const Stretch* end() const { return last; }
     bool empty() const { return first == last; }
   };
-  Stretches usable(std::uint32_t edge) const {
-    return {usable_.data() + begins_[edge], usable_.data() + begins_[edge + std::size_t{1}]};
-  }
+  Stretches room(std::uint32_t edge) const { return room_.of(edge); }
+  Stretches usable(std::uint32_t edge) const { return usable_.of(edge); }
   // The unusable parts, edge after edge, in ascending order. If several reasons apply, a part has
   // the first in the order of WhyUnusable. The pieces of 2 tau L at vertices are not listed.
   const std::vector<UnusablePart>& unusable() const { return unusable_; }
@@ -98,13 +109,19 @@ class Stands {
   LiftingPoint lifting_point(const LiftingPoint& contact) const;
   // The distance of a lifting point or contact from the first vertex of its edge. O(1).
   double along(const LiftingPoint& point) const;
-  // Whether a robot can have this lifting point, within tau L along the edge. Costs as much as
-  // why_not().
+  // Whether a robot can have this lifting point, and whether searches may use it, within tau L along
+  // the edge. Costs as much as why_not(), and O(the edge's usable intervals).
   bool can_lift(const LiftingPoint& point) const;
+  bool can_use(const LiftingPoint& point) const;
 
-  // Whether bodies, arms or hands of two robots collide (docs/stands.md), up to tau L. A robot
-  // beneath the object has neither arm nor hand. O(1).
+  // Whether bodies, arms or hands of two robots collide (docs/stands.md), up to tau L, or may
+  // collide if both are off by the accuracy. A robot beneath the object has neither arm nor hand.
+  // O(1).
   bool collide(const LiftingPoint& a, const LiftingPoint& b) const;
+  // By how much bodies, arms and hands of two robots are farther apart than they must be: the least
+  // of the differences; negative if the robots collide, and infinite if nothing keeps them apart.
+  // O(1).
+  double room_between(const LiftingPoint& a, const LiftingPoint& b) const;
   // Whether any two of the m robots collide. O(m^2).
   bool any_collide(const std::vector<LiftingPoint>& points) const;
 
@@ -113,11 +130,24 @@ class Stands {
   bool arms_collide(const LiftingPoint& a, const LiftingPoint& b) const;
   bool hands_collide(const LiftingPoint& a, const LiftingPoint& b) const;
 
+  // By how much more than they need two robots must be apart, so that both may be off.
+  double reserve_between(const LiftingPoint& a, const LiftingPoint& b) const;
+
+  // Intervals of all edges.
+  struct Parts {
+    std::vector<Stretch> parts;
+    std::vector<std::uint32_t> begins;  // where each edge begins in `parts`, and parts.size()
+    Stretches of(std::uint32_t edge) const {
+      return {parts.data() + begins[edge], parts.data() + begins[edge + std::size_t{1}]};
+    }
+  };
+  Parts usable_parts(const Polygon& polygon, const StandReserve& reserve) const;
+
   RobotSize robot_;
   double near_ = 0;
   std::vector<EdgeFrame> frames_;
-  std::vector<Stretch> usable_;
-  std::vector<std::uint32_t> begins_;  // where each edge begins in usable_, and usable_.size()
+  Parts room_, usable_;
+  std::vector<double> drifts_;  // by edge: how far parts of a robot may move; empty if exact
   std::vector<UnusablePart> unusable_;
 };
 
@@ -132,7 +162,7 @@ bool stands_anywhere(const Settings& settings);
 // not exist, or if no place is usable and the method is not `given`. Costs as much as the
 // constructor of Stands.
 Result<std::shared_ptr<const Stands>> make_stands(const PolygonWithHoles& object,
-                                                  const Settings& settings);
+                                                  const Vec2& centre, const Settings& settings);
 
 // These functions update the no-go parts when the user changes them or edits the outline. The
 // resulting parts are in order and do not overlap. `at` is a place on an edge as a fraction of its

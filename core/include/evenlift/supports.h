@@ -27,8 +27,8 @@
 
 namespace evenlift {
 
-// The default snap distance, in units of L.
-inline constexpr double usual_snap = 1e-6;
+// The default snap distance, in units of L: more than the rounding of places in tables.
+inline constexpr double usual_snap = 1e-4;
 
 // The snap distance of these settings, in units of length. O(1).
 double snap_distance(const Polygon& polygon, const Settings& settings);
@@ -38,7 +38,10 @@ class SupportPlacer {
   // The object must outlive the placer. O(1).
   SupportPlacer(const PolygonWithHoles& object, const Settings& settings);
 
-  // Returns the contact of a support at the edge or, for a support farther inside, its own place,
+  // Returns the contact of a support at the edge: the nearest point of the outline. If it is not on
+  // the outline already, up to rounding, and a notch (Polygon::is_notch) is within the snap distance,
+  // it stands in the nearest notch, which keeps the robot. For a
+  // support farther inside, its own place,
   // with `edge` set to the constant `beneath` (chords.h). The result is empty if the support is
   // farther than the snap distance from the outline and, by an exact test, outside the outline or
   // in a hole. O(n).
@@ -46,8 +49,11 @@ class SupportPlacer {
 
   // The distance of a point from the outline. O(n).
   double distance(const Vec2& point) const;
+  double snap() const { return snap_; }
 
  private:
+  std::optional<std::uint32_t> notch_near(const Vec2& point) const;
+
   const PolygonWithHoles& object_;
   double snap_;
 };
@@ -57,6 +63,12 @@ class SupportPlacer {
 // not 0. The error's place names the support, from 0, as "supports[3]". O(n) for each support.
 Result<std::vector<LiftingPoint>> place_supports(const PolygonWithHoles& object,
                                                  const Settings& settings);
+
+// What the snap distance did, in sentences without a full stop: that supports that were farther than
+// 1e-6 L from the outline were put at the edge, and which supports are beneath the object although
+// they are within 10 snap distances of the outline. The supports must have places. O(n) for each
+// support.
+std::vector<std::string> snap_notes(const PolygonWithHoles& object, const Settings& settings);
 
 // Places beneath the object for robots that the user is about to move. They are on the sides of a
 // small square that contains the centre of mass, and their coordinates have few digits. The middle

@@ -24,8 +24,9 @@ int compare_places(const std::vector<double>& a, const std::vector<double>& b, d
 }
 
 // Null on an error, which place() has already reported: no robot fits, or an edge does not exist.
-std::shared_ptr<const Stands> room_of(const PolygonWithHoles& object, const Settings& settings) {
-  auto room = make_stands(object, settings);
+std::shared_ptr<const Stands> room_of(const PolygonWithHoles& object, const Vec2& centre,
+                                      const Settings& settings) {
+  auto room = make_stands(object, centre, settings);
   return room ? *std::move(room) : nullptr;
 }
 
@@ -57,7 +58,7 @@ Rules::Rules(PolygonWithHoles object, const Vec2& centre, const Settings& settin
       holds_(goal_of(settings) == Goal::hold),
       hold_(hold_requirements(object_, centre, settings)),
       survive_(static_cast<int>(settings.survive)),
-      room_(room_of(object_, settings)),
+      room_(room_of(object_, centre, settings)),
       outline_(object_, centre),
       stands_(outline_.stands(room_.get())),
       triples_(triples_of(settings.robots)),
@@ -65,7 +66,7 @@ Rules::Rules(PolygonWithHoles object, const Vec2& centre, const Settings& settin
       work_of_completion_(work_on(object_, chords_, centre)),
       coarse_cover_(object_, centre),
       cover_(object_, centre),
-      margins_(object_, centre, hold_.clear) {
+      margins_(object_, centre, hold_) {
   const double apart = settings.apart.value_or(usual_apart * farthest_vertex(object_, centre));
   const double near = std::max(0.0, apart - near_distance(polygon().diameter()));
   near_square_ = near * near;
@@ -110,14 +111,12 @@ std::uint32_t Rules::near_pairs(const std::vector<LiftingPoint>& robots) const {
 int Rules::steady(RatedSet& set) const {
   if (!set.steady)
     set.steady = std::min(survive_, failures_steady(positions(set.robots), centre_,
-                                                    polygon().diameter(), hold_.clear));
+                                                    polygon().diameter(), hold_.inside));
   return *set.steady;
 }
 
 std::uint32_t Rules::level(RatedSet& set) const {
-  if (!set.level)
-    set.level = level_of(margins_.of(contact_points(room_.get(), set.robots)),
-                         level_bounds(hold_.min_margin));
+  if (!set.level) set.level = margins_.level_of(contact_points(room_.get(), set.robots));
   return *set.level;
 }
 

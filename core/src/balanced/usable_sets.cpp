@@ -206,7 +206,7 @@ class UsableSets {
 
   void keep(const std::vector<LiftingPoint>& robots) {
     for (std::size_t i = 0; i < robots.size(); ++i)
-      if (!rules_.room()->can_lift(robots[i]) || rules_.collides(robots, i, robots[i])) return;
+      if (!rules_.room()->can_use(robots[i]) || rules_.collides(robots, i, robots[i])) return;
     RatedSet set = rules_.rated(robots);
     auto at = best_.end();
     while (at != best_.begin() && rules_.better(set, *(at - 1))) --at;

@@ -166,7 +166,7 @@ std::optional<StandLine> stand_line(const Polygon& polygon, const Vec2& centre,
 
 bool can_stand(const Stands& stands, const Candidate& candidate) {
   const LiftingPoint &r1 = candidate.chord.r1, &r2 = candidate.chord.r2;
-  return stands.can_lift(r1) && stands.can_lift(r2) && !stands.collide(r1, r2);
+  return stands.can_use(r1) && stands.can_use(r2) && !stands.collide(r1, r2);
 }
 
 std::vector<Candidate> standing_chords(const Stands& stands, const Vec2& centre, const StandLine& a,

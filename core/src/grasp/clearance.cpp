@@ -4,67 +4,30 @@
 #include "evenlift/closure.h"
 #include "evenlift/tolerance.h"
 #include "exact/sorted_indices.h"
+#include "grasp/hold_errors.h"
 
 namespace evenlift {
 namespace {
 
-// The contacts, farthest from a corner or from an end of their side first. If the first k give form
-// closure or a large margin, so do more, so bisection finds the least k.
+// The contacts, farthest from a corner first. If the first k give form closure, so do more, so
+// bisection finds the least k.
 class FarthestFirst {
  public:
-  FarthestFirst(const Polygon& polygon, const Vec2& centre, const std::vector<Contact>& contacts,
-                double Contact::*distance)
-      : polygon_(polygon),
-        centre_(centre),
-        radius_(farthest_vertex(polygon, centre)),
-        distance_(distance) {
+  FarthestFirst(const Polygon& polygon, const Vec2& centre, const std::vector<Contact>& contacts)
+      : polygon_(polygon), centre_(centre) {
     for (const std::uint32_t i : sorted_indices(contacts.size(), [&](auto a, auto b) {
-           return contacts[a].*distance > contacts[b].*distance;
+           return contacts[a].to_corner > contacts[b].to_corner;
          }))
       contacts_.push_back(contacts[i]);
   }
 
   // The least k for which the first k contacts hold; size() + 1 if there is none.
   std::size_t fewest_that_hold() const {
-    return first(1, [&](std::size_t number) {
-      return in_form_closure(polygon_, centre_, first_contacts(number));
-    });
-  }
-
-  const Contact& last_of(std::size_t number) const { return contacts_[number - 1]; }
-  std::size_t size() const { return contacts_.size(); }
-
-  // Clearance::tolerance (closure.h). With more contacts the distance falls and the margin grows,
-  // so the best number is one of two neighbours.
-  double tolerance() const {
-    const auto by_margin = [&](std::size_t number) {
-      const auto margin = analyse_hold(polygon_, centre_, first_contacts(number)).margin;
-      return radius_ * std::max(0.0, margin.value_or(0));
-    };
-    const auto within = [&](std::size_t number) {
-      return std::min(last_of(number).*distance_, by_margin(number));
-    };
-    const std::size_t enough = first(
-        1, [&](std::size_t number) { return by_margin(number) >= last_of(number).*distance_; });
-    double best = 0;
-    if (enough <= size()) best = within(enough);
-    if (enough > 1) best = std::max(best, within(enough - 1));
-    return best;
-  }
-
- private:
-  std::vector<Contact> first_contacts(std::size_t number) const {
-    return {contacts_.begin(), contacts_.begin() + static_cast<std::ptrdiff_t>(number)};
-  }
-
-  // The first number from `low` on that fulfils a condition, which all larger ones must also
-  // fulfil.
-  template <class Condition>
-  std::size_t first(std::size_t low, Condition fulfils) const {
-    std::size_t high = size() + 1;
+    std::size_t low = 1, high = size() + 1;
     while (low < high) {
       const std::size_t middle = low + (high - low) / 2;
-      if (fulfils(middle))
+      const auto end = contacts_.begin() + static_cast<std::ptrdiff_t>(middle);
+      if (in_form_closure(polygon_, centre_, std::vector<Contact>(contacts_.begin(), end)))
         high = middle;
       else
         low = middle + 1;
@@ -72,10 +35,12 @@ class FarthestFirst {
     return low;
   }
 
+  const Contact& last_of(std::size_t number) const { return contacts_[number - 1]; }
+  std::size_t size() const { return contacts_.size(); }
+
+ private:
   const Polygon& polygon_;
   Vec2 centre_;
-  double radius_;
-  double Contact::*distance_;
   std::vector<Contact> contacts_;
 };
 
@@ -93,25 +58,33 @@ std::vector<Contact> clear_contacts(const Polygon& polygon, const std::vector<Co
 
 Clearance analyse_clearance(const Polygon& polygon, const Vec2& centre,
                             const std::vector<Contact>& contacts) {
-  const FarthestFirst farthest(polygon, centre, contacts, &Contact::to_corner);
+  const FarthestFirst farthest(polygon, centre, contacts);
   const std::size_t fewest = farthest.fewest_that_hold();
   Clearance clearance;
   if (fewest > farthest.size()) return clearance;
   const Contact& nearest = farthest.last_of(fewest);
   clearance.distance = nearest.to_corner;
   if (std::isfinite(nearest.to_corner)) clearance.point = nearest.point;
-  clearance.tolerance = FarthestFirst(polygon, centre, contacts, &Contact::to_end).tolerance();
+  clearance.tolerance =
+      HoldErrors(polygon, centre, farthest_vertex(polygon, centre), contacts).tolerance();
   return clearance;
+}
+
+bool holds_within(const Polygon& polygon, const Vec2& centre, const std::vector<Contact>& contacts,
+                  double error) {
+  return HoldErrors(polygon, centre, farthest_vertex(polygon, centre), contacts).hold_within(error);
 }
 
 HoldRequirements hold_requirements(const Polygon& polygon, const Vec2& centre,
                                    const Settings& settings) {
-  return {settings.min_margin,
-          settings.clear.value_or(usual_clear * farthest_vertex(polygon, centre))};
+  const double clear = settings.clear.value_or(usual_clear * farthest_vertex(polygon, centre));
+  const double accuracy = settings.accuracy.value_or(0);
+  return {settings.min_margin, clear, std::max(clear / 2, accuracy), std::max(clear, accuracy)};
 }
 
-bool is_clear(const Polygon& polygon, const Clearance& clearance, double clear) {
-  return clearance.distance >= clear - near_distance(polygon.diameter());
+bool is_firm(const Polygon& polygon, const Clearance& clearance, const HoldRequirements& hold) {
+  const double near = near_distance(polygon.diameter());
+  return clearance.distance >= hold.clear - near && clearance.tolerance >= hold.tolerance - near;
 }
 
 }  // namespace evenlift

@@ -171,11 +171,11 @@ std::optional<Vec2> free_translation(const Grasp& grasp) {
 // signed distances d of c along them. By Farkas' lemma this is true if and only if no q satisfies
 // n . q <= -d for all. Keeping q within L / tau lets forces balance within tolerance, since nearly
 // opposite normals would meet farther out.
-bool resists_at(const Grasp& grasp, const Vec2& c) {
+bool resists_at(const Grasp& grasp, const std::vector<Grasp::Touch>& touches, const Vec2& c) {
   std::vector<HalfPlane> planes;
   for (int axis = 0; axis < axes; ++axis)
     planes.push_back(within_reach(axis, farthest_centre(grasp, false)));
-  for (const Grasp::Touch& touch : grasp.touches) {
+  for (const Grasp::Touch& touch : touches) {
     const Vec2 to_c = c - (touch.position - grasp.centre);
     const double size = length(touch.direction());
     if (std::fabs(dot(touch.direction(), to_c)) > grasp.near * size) continue;
@@ -187,7 +187,9 @@ bool resists_at(const Grasp& grasp, const Vec2& c) {
 }
 
 // Whether the curvature of every motion that is free to first order drives the object into a robot.
-bool immobile_to_second_order(const Grasp& grasp, const Closure& closure) {
+// Robots on one normal line, which are alike to first order, differ in this, so all touches count.
+bool immobile_to_second_order(const Grasp& grasp, const std::vector<Grasp::Touch>& touches,
+                              const Closure& closure) {
   if (closure.form_closure || closure.translation_free) return false;
   for (const auto& [region, sense] :
        {std::pair(&closure.clockwise, Sense::clockwise),
@@ -197,7 +199,8 @@ bool immobile_to_second_order(const Grasp& grasp, const Closure& closure) {
     // The region is bounded, since no translation is free, so any large finite reach will do.
     const Points region_at_rest = degenerate_region(grasp, sense, farthest_centre(grasp, false));
     if (region_at_rest.empty()) return false;
-    if (!resists_at(grasp, 0.5 * (region_at_rest.front() + region_at_rest.back()))) return false;
+    if (!resists_at(grasp, touches, 0.5 * (region_at_rest.front() + region_at_rest.back())))
+      return false;
   }
   return true;
 }
@@ -266,7 +269,7 @@ Closure analyse_closure(const Polygon& polygon, const Vec2& centre,
   closure.counterclockwise = free_region(grasp, Sense::counterclockwise, reach);
   closure.form_closure =
       !closure.translation_free && !closure.clockwise.exists && !closure.counterclockwise.exists;
-  closure.second_order = immobile_to_second_order(grasp, closure);
+  closure.second_order = immobile_to_second_order(grasp, touches_of(polygon, touching), closure);
   closure.margin = margin_of(grasp);
   if (closure.form_closure) closure.clearance = analyse_clearance(polygon, centre, touching);
   return closure;

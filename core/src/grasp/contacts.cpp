@@ -13,24 +13,6 @@ namespace {
 // Up to this many points, looking at every vertex costs less than sorting them.
 constexpr std::size_t few_points = 32;
 
-// The convex vertices at the ends of an edge's straight run (polygon/corners.h). Without `corners`,
-// they are found by walking along the run, in O(run).
-struct RunEnds {
-  RunEnds(const Polygon& polygon, const Corners* corners, std::uint32_t edge) {
-    if (corners) {
-      before = corners->before(edge);
-      after = corners->after(edge);
-      return;
-    }
-    std::size_t begin = edge, end = polygon.next(edge);
-    while (polygon.turn(begin) == Turn::straight) begin = polygon.previous(begin);
-    while (polygon.turn(end) == Turn::straight) end = polygon.next(end);
-    if (polygon.turn(begin) == Turn::convex) before = static_cast<std::uint32_t>(begin);
-    if (polygon.turn(end) == Turn::convex) after = static_cast<std::uint32_t>(end);
-  }
-  std::optional<std::uint32_t> before, after;
-};
-
 // The nearest vertex to a point within a distance; the first in the list wins a tie. O(1) for each
 // vertex that is added.
 class NearestVertex {
@@ -71,38 +53,37 @@ std::vector<NearestVertex> nearest_vertices(const Polygon& polygon,
   return nearest;
 }
 
-Contact contact_inside(const Polygon& polygon, const Corners* corners, const Vec2& p,
-                       std::uint32_t edge, std::uint32_t point) {
-  Contact contact{p, edge, point};
-  const RunEnds ends(polygon, corners, edge);
-  for (const auto& end : {ends.before, ends.after}) {
-    if (!end) continue;
-    const double distance = length(polygon.vertex(*end) - p);
-    contact.to_end = std::min(contact.to_end, distance);
-    if (corners ? corners->is_corner(*end) : polygon.is_corner(*end))
-      contact.to_corner = std::min(contact.to_corner, distance);
-  }
-  return contact;
+// Without `corners`, looks for the nearest one.
+Contact contact_on(const Polygon& polygon, const Corners* corners, const Vec2& p,
+                   std::uint32_t edge, std::uint32_t point) {
+  return {p, edge, point,
+          corners ? corners->distance_to(p, edge) : distance_to_corner(polygon, p, edge)};
 }
 
 std::vector<Contact> contacts_of(const Polygon& polygon, const std::vector<LiftingPoint>& points,
                                  const std::vector<NearestVertex>& nearest,
                                  const Corners* corners) {
   std::vector<Contact> contacts;
+  const auto add = [&](const Vec2& p, std::size_t edge, std::uint32_t point) {
+    contacts.push_back(contact_on(polygon, corners, p, static_cast<std::uint32_t>(edge), point));
+  };
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     if (points[i].edge == beneath) continue;
     const std::optional<std::uint32_t>& vertex = nearest[i].found();
     if (!vertex) {
-      contacts.push_back(contact_inside(polygon, corners, points[i].position, points[i].edge, i));
+      add(points[i].position, points[i].edge, i);
       continue;
     }
     const Turn turn = polygon.turn(*vertex);
-    const Vec2& position = polygon.vertex(*vertex);
-    if (turn == Turn::straight)
-      contacts.push_back(contact_inside(polygon, corners, position, *vertex, i));
-    if (turn == Turn::reflex)
-      for (const std::size_t edge : {std::size_t{*vertex}, polygon.previous(*vertex)})
-        contacts.push_back({position, static_cast<std::uint32_t>(edge), i});
+    if (turn == Turn::convex) continue;
+    const bool in_notch = polygon.is_notch(*vertex);
+    const std::size_t first = contacts.size();
+    add(polygon.vertex(*vertex), *vertex, i);
+    if (turn == Turn::reflex) add(polygon.vertex(*vertex), polygon.previous(*vertex), i);
+    for (std::size_t k = first; k < contacts.size() && in_notch; ++k) {
+      contacts[k].in_notch = true;
+      contacts[k].to_corner = std::numeric_limits<double>::infinity();
+    }
   }
   return contacts;
 }

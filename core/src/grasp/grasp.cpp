@@ -26,6 +26,12 @@ bool same_direction(const Touch& a, const Touch& b) {
   return points_up(a) == points_up(b) && turn_of(a, b) == 0;
 }
 
+Touch touch_of(const Polygon& polygon, const Contact& contact) {
+  Vec2 from = polygon.edge_start(contact.edge), to = polygon.edge_end(contact.edge);
+  if (!polygon.counter_clockwise()) std::swap(from, to);
+  return {from, to, contact.position, contact.edge};
+}
+
 struct PlacedTouch {
   Touch touch;
   double place = 0;  // along the direction of its edge
@@ -42,9 +48,7 @@ std::vector<PlacedTouch> extremes_of_edges(const Polygon& polygon, const Grasp& 
   std::map<std::uint32_t, Extremes> of_edge;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const std::uint32_t edge = contacts[i].edge;
-    Vec2 from = polygon.edge_start(edge), to = polygon.edge_end(edge);
-    if (!polygon.counter_clockwise()) std::swap(from, to);
-    PlacedTouch placed{{from, to, contacts[i].position, edge}, 0, i};
+    PlacedTouch placed{touch_of(polygon, contacts[i]), 0, i};
     placed.place = along(grasp, placed.touch) / length(placed.touch.direction());
     const auto [found, is_new] = of_edge.try_emplace(edge, Extremes{placed, placed});
     auto& [first, last] = found->second;
@@ -84,6 +88,13 @@ std::vector<Touch> extremes_of_directions(const std::vector<PlacedTouch>& touche
 }
 
 }  // namespace
+
+std::vector<Grasp::Touch> touches_of(const Polygon& polygon, const std::vector<Contact>& contacts) {
+  std::vector<Touch> touches;
+  touches.reserve(contacts.size());
+  for (const Contact& contact : contacts) touches.push_back(touch_of(polygon, contact));
+  return touches;
+}
 
 double along(const Grasp& grasp, const Grasp::Touch& touch) {
   return dot_of_differences(touch.from, touch.to, grasp.centre, touch.position);

@@ -35,6 +35,9 @@ struct Grasp {
 Grasp make_grasp(const Polygon& polygon, const Vec2& centre, double radius,
                  const std::vector<Contact>& contacts);
 
+// The touches of all these contacts, in their order. O(m).
+std::vector<Grasp::Touch> touches_of(const Polygon& polygon, const std::vector<Contact>& contacts);
+
 // The touch's position along its edge, measured from the foot of the perpendicular from C to the
 // edge's line, times the edge's length. O(1).
 double along(const Grasp& grasp, const Grasp::Touch& touch);

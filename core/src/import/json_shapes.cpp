@@ -230,8 +230,11 @@ std::optional<InputError> JsonShapes::take_uncertainty(Document& document) const
   };
   for (const auto& [setting, at] : {std::pair(Setting::capacity, within("capacity", "limit")),
                                     {Setting::com_radius, within("robustness", "com_radius")},
-                                    {Setting::extra, within("extra", "weight")}})
-    if (is(at, Kind::number))
+                                    {Setting::accuracy, within("accuracy", "asked")},
+                                    {Setting::extra, within("extra", "weight")},
+                                    {Setting::accuracy, within("accuracy", "asked")}})
+    // A result always has an accuracy, 0 if none was asked for.
+    if (is(at, Kind::number) && (setting != Setting::accuracy || tree_.number(*at) != 0))
       if (auto wrong = take_setting(setting, *at, shortest(tree_.number(*at)), document))
         return wrong;
   return std::nullopt;

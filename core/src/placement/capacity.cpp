@@ -206,9 +206,9 @@ bool same_plan(const Placement& a, const Placement& b) {
   return s.method == t.method && s.min_ratio == t.min_ratio && s.weight == t.weight &&
          s.cargo == t.cargo && s.seed == t.seed && s.survive == t.survive &&
          s.positions == t.positions && goal_of(s) == goal_of(t) && s.min_margin == t.min_margin &&
-         s.clear == t.clear && s.apart == t.apart && s.robot == t.robot && s.no_go == t.no_go &&
-         a.centre_of_mass == b.centre_of_mass && a.vertices() == b.vertices() &&
-         a.object.rings_of_holes() == b.object.rings_of_holes();
+         s.clear == t.clear && s.accuracy == t.accuracy && s.apart == t.apart &&
+         s.robot == t.robot && s.no_go == t.no_go && a.centre_of_mass == b.centre_of_mass &&
+         a.vertices() == b.vertices() && a.object.rings_of_holes() == b.object.rings_of_holes();
 }
 
 std::uint32_t most_teams_tried(const Settings& settings) {

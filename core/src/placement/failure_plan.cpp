@@ -142,7 +142,7 @@ class PlannedCrew {
   bool is_upright(const Points& robots, const Disturbance& disturbance) const {
     const double distance = tipping_distance_of(robots);
     return distance > 0 &&
-           distance >= hold_requirements(of_.placement).clear - near_distance(diameter()) &&
+           distance >= hold_requirements(of_.placement).inside - near_distance(diameter()) &&
            stays(robots, disturbance);
   }
 
@@ -168,7 +168,7 @@ bool tips_wherever_they_stand(const ShownPlacement& of) {
   Disturbance on_even_ground = disturbance_of(of.shown);
   on_even_ground.uneven = 0;
   const double needed =
-      std::max(hold_requirements(placement).clear, effect_on({}, {}, size, on_even_ground).reach);
+      std::max(hold_requirements(placement).inside, effect_on({}, {}, size, on_even_ground).reach);
   return !is_within_base(
       needed, tipping_distance(convex_hull(placement.vertices()), placement.centre_of_mass, size),
       size);

@@ -165,7 +165,7 @@ Robustness robustness(const Placement& placement) {
   const double size = diameter(placement);
   return {failures_carried(robots, centre, size), failures_steady(robots, centre, size),
           tipping_distance(placement.lifting_base, centre, size),
-          failures_steady(robots, centre, size, hold_requirements(placement).clear)};
+          failures_steady(robots, centre, size, hold_requirements(placement).inside)};
 }
 
 DisturbanceEffect effect_on(const ShownPlacement& of) {
@@ -226,13 +226,13 @@ std::vector<TiltCircle> tilt_circles(const ShownPlacement& of, double scale) {
 std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement,
                                                          const Disturbance& disturbance) {
   return single_failures(placement.object, placement.centre_of_mass, placement.weight(),
-                         placement.teams, hold_requirements(placement).clear, disturbance);
+                         placement.teams, hold_requirements(placement).inside, disturbance);
 }
 
 std::optional<RestOfRobots> single_failure(const Placement& placement, std::size_t robot,
                                            const Disturbance& disturbance) {
   return single_failure(placement.object, placement.centre_of_mass, placement.weight(),
-                        placement.teams, robot, hold_requirements(placement).clear, disturbance);
+                        placement.teams, robot, hold_requirements(placement).inside, disturbance);
 }
 
 std::optional<std::vector<LoadRange>> ranges_without(const Placement& placement, std::size_t robot,

@@ -19,7 +19,7 @@ namespace {
 
 bool reaches_goal(const Placement& placement) {
   if (placement.teams.empty()) return false;
-  return goal_of(placement.settings) == Goal::cover || hold_clearly(placement);
+  return goal_of(placement.settings) == Goal::cover || hold_firmly(placement);
 }
 
 void describe_grasp(Placement& placement, const std::vector<LiftingPoint>& points) {
@@ -177,10 +177,10 @@ HoldRequirements hold_requirements(const Placement& placement) {
   return hold_requirements(placement.polygon(), placement.centre_of_mass, placement.settings);
 }
 
-bool hold_clearly(const Placement& placement) {
+bool hold_firmly(const Placement& placement) {
   const Closure& closure = placement.closure;
   return closure.form_closure &&
-         is_clear(placement.polygon(), closure.clearance, hold_requirements(placement).clear);
+         is_firm(placement.polygon(), closure.clearance, hold_requirements(placement));
 }
 
 std::vector<LiftingPoint> contact_points(const Placement& placement) {
@@ -220,7 +220,7 @@ Result<Placement> place(PolygonWithHoles object, const std::optional<Vec2>& own_
   if (auto error = check_settings(settings)) return *error;
   const auto centre = centre_of_mass(object, own_centre, settings);
   if (!centre) return centre.error();
-  auto stands = make_stands(object, settings);
+  auto stands = make_stands(object, centre->all, settings);
   if (!stands) return stands.error();
   auto candidates = candidates_of(object, centre->all, settings, stands->get());
   if (!candidates) return candidates.error();
@@ -267,7 +267,7 @@ Result<std::vector<Candidate>> candidates_of(const Document& document) {
   if (!object) return object.error();
   const auto centre = centre_of_mass(*object, document.centre_of_mass, document.settings);
   if (!centre) return centre.error();
-  const auto stands = make_stands(*object, document.settings);
+  const auto stands = make_stands(*object, centre->all, document.settings);
   if (!stands) return stands.error();
   return candidates_of(*object, centre->all, document.settings, stands->get());
 }

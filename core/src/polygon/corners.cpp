@@ -1,28 +1,101 @@
 #include "polygon/corners.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace evenlift {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+std::size_t end_of_run(const Polygon& polygon, std::size_t vertex) {
+  while (polygon.turn(vertex) == Turn::straight) vertex = polygon.next(vertex);
+  return vertex;
+}
+
+std::size_t begin_of_run(const Polygon& polygon, std::size_t vertex) {
+  while (polygon.turn(vertex) == Turn::straight) vertex = polygon.previous(vertex);
+  return vertex;
+}
+
+// From the end of a run; `next` is the other end of the run beyond a vertex. The lengths are added
+// from the corner on, like those of Corners.
+template <class Next>
+double way_to_corner(const Polygon& polygon, std::size_t from, const Next& next) {
+  std::vector<double> lengths;
+  std::size_t at = from;
+  while (!polygon.is_corner(at)) {
+    if (polygon.is_notch(at)) return infinite;
+    const std::size_t beyond = next(at);
+    lengths.push_back(length(polygon.vertex(beyond) - polygon.vertex(at)));
+    at = beyond;
+    if (at == from) return infinite;
+  }
+  double way = 0;
+  for (auto each = lengths.rbegin(); each != lengths.rend(); ++each) way = *each + way;
+  return way;
+}
+
+}  // namespace
 
 // Begins after a vertex that turns; every polygon has one.
 Corners::Corners(const Polygon& polygon)
-    : before_(polygon.size(), none), after_(polygon.size(), none), is_corner_(polygon.size()) {
-  std::size_t first = 0;
-  while (polygon.turn(first) == Turn::straight) ++first;
-  std::vector<std::size_t> run;
+    : polygon_(polygon),
+      before_(polygon.size(), none),
+      after_(polygon.size(), none),
+      is_corner_(polygon.size()),
+      begin_(polygon.size()),
+      end_(polygon.size()),
+      back_(polygon.size(), infinite),
+      on_(polygon.size(), infinite) {
+  const std::size_t first = end_of_run(polygon, 0);
+  std::vector<std::uint32_t> ends, run;
   std::size_t begin = first;
   do {
     std::size_t end = begin;
     run.clear();
     do {
-      run.push_back(end);
+      run.push_back(static_cast<std::uint32_t>(end));
       end = polygon.next(end);
     } while (polygon.turn(end) == Turn::straight);
     is_corner_[end] = polygon.is_corner(end);
-    for (const std::size_t edge : run) {
-      if (polygon.turn(begin) == Turn::convex) before_[edge] = static_cast<std::uint32_t>(begin);
-      if (polygon.turn(end) == Turn::convex) after_[edge] = static_cast<std::uint32_t>(end);
+    ends.push_back(static_cast<std::uint32_t>(end));
+    for (const std::uint32_t edge : run) {
+      begin_[edge] = static_cast<std::uint32_t>(begin);
+      end_[edge] = static_cast<std::uint32_t>(end);
+      if (polygon.turn(begin) == Turn::convex) before_[edge] = begin_[edge];
+      if (polygon.turn(end) == Turn::convex) after_[edge] = end_[edge];
     }
     begin = end;
   } while (begin != first);
+
+  // Each way along the outline twice, since a corner may be beyond where it begins.
+  const auto pass = [&](std::vector<double>& way, std::uint32_t at, std::uint32_t beyond) {
+    if (is_corner_[at])
+      way[at] = 0;
+    else if (!polygon.is_notch(at))
+      way[at] = length(polygon.vertex(beyond) - polygon.vertex(at)) + way[beyond];
+  };
+  const std::size_t runs = ends.size();
+  for (std::size_t k = 2 * runs; k-- > 0;) pass(on_, ends[k % runs], ends[(k + 1) % runs]);
+  for (std::size_t k = 0; k < 2 * runs; ++k) pass(back_, ends[(k + 1) % runs], ends[k % runs]);
+}
+
+double Corners::distance_to(const Vec2& point, std::uint32_t edge) const {
+  const std::uint32_t begin = begin_[edge], end = end_[edge];
+  return std::min(length(polygon_.vertex(begin) - point) + back_[begin],
+                  length(polygon_.vertex(end) - point) + on_[end]);
+}
+
+double distance_to_corner(const Polygon& polygon, const Vec2& point, std::uint32_t edge) {
+  const std::size_t begin = begin_of_run(polygon, edge),
+                    end = end_of_run(polygon, polygon.next(edge));
+  const double back = way_to_corner(
+      polygon, begin, [&](std::size_t v) { return begin_of_run(polygon, polygon.previous(v)); });
+  const double on = way_to_corner(
+      polygon, end, [&](std::size_t v) { return end_of_run(polygon, polygon.next(v)); });
+  return std::min(length(polygon.vertex(begin) - point) + back,
+                  length(polygon.vertex(end) - point) + on);
 }
 
 }  // namespace evenlift

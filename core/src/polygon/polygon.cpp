@@ -121,8 +121,7 @@ Turn Polygon::turn(std::size_t i) const {
   return turn_side(i) > 0 ? Turn::convex : Turn::reflex;
 }
 
-bool Polygon::is_corner(std::size_t i) const {
-  if (turn(i) != Turn::convex) return false;
+bool Polygon::turns_sharply(std::size_t i) const {
   constexpr double cosine_of_15_degrees = 0.96592582628906828675;
   const Vec2 before = vertices_[i] - vertices_[previous(i)],
              after = vertices_[next(i)] - vertices_[i];

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "evenlift/plane.h"
 #include "evenlift/predicates.h"
@@ -34,7 +35,7 @@ double distance_of_segments(const Segment& a, const Segment& b) {
 }  // namespace
 
 bool Stands::bodies_collide(const LiftingPoint& a, const LiftingPoint& b) const {
-  const double apart = 2 * robot_.radius + robot_.gap - near_;
+  const double apart = 2 * robot_.radius + robot_.gap + reserve_between(a, b) - near_;
   return apart > 0 && length(stand(a) - stand(b)) < apart;
 }
 
@@ -42,8 +43,10 @@ bool Stands::bodies_collide(const LiftingPoint& a, const LiftingPoint& b) const 
 bool Stands::arms_collide(const LiftingPoint& a, const LiftingPoint& b) const {
   if (robot_.reach <= 0) return false;
   const Segment arm_a{contact(a), stand(a)}, arm_b{contact(b), stand(b)};
-  const double clear = robot_.radius + robot_.gap - near_;
-  return (clear > 0 && (distance_to_segment(arm_a.from, arm_a.to, arm_b.to) < clear ||
+  const double reserve = reserve_between(a, b),
+               clear = robot_.radius + robot_.gap + reserve - near_;
+  return (reserve > 0 && distance_of_segments(arm_a, arm_b) < reserve) ||
+         (clear > 0 && (distance_to_segment(arm_a.from, arm_a.to, arm_b.to) < clear ||
                         distance_to_segment(arm_b.from, arm_b.to, arm_a.to) < clear)) ||
          cross_each_other(arm_a, arm_b, near_);
 }
@@ -52,11 +55,34 @@ bool Stands::hands_collide(const LiftingPoint& a, const LiftingPoint& b) const {
   if (a.edge == beneath || b.edge == beneath) return false;
   return robot_.width > near_ &&
          distance_of_segments({contact(a), a.position}, {contact(b), b.position}) <
-             robot_.width - near_;
+             robot_.width + reserve_between(a, b) - near_;
+}
+
+double Stands::reserve_between(const LiftingPoint& a, const LiftingPoint& b) const {
+  return drifts_.empty() || a.edge == beneath || b.edge == beneath
+             ? 0
+             : drifts_[a.edge] + drifts_[b.edge];
 }
 
 bool Stands::collide(const LiftingPoint& a, const LiftingPoint& b) const {
   return bodies_collide(a, b) || arms_collide(a, b) || hands_collide(a, b);
+}
+
+double Stands::room_between(const LiftingPoint& a, const LiftingPoint& b) const {
+  double room = std::numeric_limits<double>::infinity();
+  if (const double apart = 2 * robot_.radius + robot_.gap; apart > 0)
+    room = length(stand(a) - stand(b)) - apart;
+  if (robot_.reach > 0) {
+    const Segment arm_a{contact(a), stand(a)}, arm_b{contact(b), stand(b)};
+    const double clear = robot_.radius + robot_.gap;
+    room = std::min({room, distance_to_segment(arm_a.from, arm_a.to, arm_b.to) - clear,
+                     distance_to_segment(arm_b.from, arm_b.to, arm_a.to) - clear,
+                     distance_of_segments(arm_a, arm_b)});
+  }
+  if (robot_.width > near_ && a.edge != beneath && b.edge != beneath)
+    room = std::min(room, distance_of_segments({contact(a), a.position}, {contact(b), b.position}) -
+                              robot_.width);
+  return room;
 }
 
 bool Stands::any_collide(const std::vector<LiftingPoint>& points) const {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -37,18 +38,34 @@ InputError no_room(const Settings& settings) {
 }  // namespace
 
 bool stands_anywhere(const Settings& settings) {
-  return settings.robot == RobotSize{} && settings.no_go.empty();
+  const bool is_searched =
+      selects_candidates(settings.method) || settings.method == Method::balanced;
+  return settings.robot == RobotSize{} && settings.no_go.empty() &&
+         !(is_searched && settings.accuracy.value_or(0) > 0);
 }
 
 Result<std::shared_ptr<const Stands>> make_stands(const PolygonWithHoles& object,
-                                                  const Settings& settings) {
+                                                  const Vec2& centre, const Settings& settings) {
   if (stands_anywhere(settings)) return std::shared_ptr<const Stands>();
   for (const EdgePart& part : settings.no_go)
     if (part.edge >= object.outline().size())
       return setting_error(Setting::no_go, say("there is no edge {edge}; the polygon has {edges}",
                                                {part.edge + 1, object.outline().size()}));
-  auto stands = std::make_shared<const Stands>(object, settings.robot, settings.no_go);
+  // Given supports stay where they are, however accurate they are.
+  StandReserve reserve;
+  const double accuracy = settings.accuracy.value_or(0);
+  if (accuracy > 0 && settings.method != Method::given)
+    reserve = {accuracy,
+               std::max(accuracy, settings.clear.value_or(
+                                      usual_clear * farthest_vertex(object.outline(), centre)))};
+  // Then places that are typed with a few digits fit again.
+  if (settings.robot.has_body()) reserve.part = 1e-3;
+  auto stands = std::make_shared<const Stands>(object, settings.robot, settings.no_go, reserve);
   if (!stands->any() && settings.method != Method::given) return no_room(settings);
+  if (!stands->any_usable() && settings.method != Method::given)
+    return setting_error(
+        Setting::accuracy,
+        say("no edge has room for robots that may be off by {accuracy}", {shortest(accuracy)}));
   return std::shared_ptr<const Stands>(std::move(stands));
 }
 

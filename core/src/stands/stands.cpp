@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "evenlift/tolerance.h"
+#include "stands/reserve.h"
 #include "stands/survey.h"
 
 namespace evenlift {
@@ -45,7 +46,7 @@ std::string_view name(WhyUnusable why) {
 }
 
 Stands::Stands(const PolygonWithHoles& object, const RobotSize& robot,
-               const std::vector<EdgePart>& no_go)
+               const std::vector<EdgePart>& no_go, const StandReserve& reserve)
     : robot_(robot), near_(near_distance(object.outline().diameter())) {
   const Polygon& polygon = object.outline();
   const Surveyor surveyor(object, robot, no_go);
@@ -54,7 +55,7 @@ Stands::Stands(const PolygonWithHoles& object, const RobotSize& robot,
   const auto margin_at = [&](std::size_t vertex) {
     return has_body() || forbidden[vertex] ? 2 * near_ : 0;
   };
-  begins_.push_back(0);
+  room_.begins.push_back(0);
   for (std::uint32_t edge = 0; edge < polygon.size(); ++edge) {
     const EdgeFrame frame = frame_of(polygon, edge);
     frames_.push_back(frame);
@@ -66,14 +67,17 @@ Stands::Stands(const PolygonWithHoles& object, const RobotSize& robot,
       else if (left.to - left.from < near_)
         unusable_.push_back({edge, part.part, WhyUnusable::narrow});
       else
-        usable_.push_back(left);
+        room_.parts.push_back(left);
     }
-    begins_.push_back(static_cast<std::uint32_t>(usable_.size()));
+    room_.begins.push_back(static_cast<std::uint32_t>(room_.parts.size()));
   }
+  if (has_body() && reserve.accuracy > 0)
+    drifts_ = drifts(polygon, std::max(robot.radius + robot.reach, robot.depth), reserve.accuracy);
+  usable_ = reserve.part > 0 || reserve.accuracy > 0 ? usable_parts(polygon, reserve) : room_;
 }
 
 std::optional<WhyUnusable> Stands::why_not(std::uint32_t edge, double t) const {
-  for (const Stretch& stretch : usable(edge))
+  for (const Stretch& stretch : room(edge))
     if (t >= stretch.from - near_ && t <= stretch.to + near_) return std::nullopt;
   const auto after = std::upper_bound(unusable_.begin(), unusable_.end(), std::pair(edge, t),
                                       [](const auto& at, const UnusablePart& part) {
@@ -108,6 +112,14 @@ double Stands::along(const LiftingPoint& point) const {
 
 bool Stands::can_lift(const LiftingPoint& point) const {
   return !why_not(point.edge, along(point)).has_value();
+}
+
+bool Stands::can_use(const LiftingPoint& point) const {
+  const double t = along(point);
+  const Stretches parts = usable(point.edge);
+  return std::any_of(parts.begin(), parts.end(), [&](const Stretch& part) {
+    return t >= part.from - near_ && t <= part.to + near_;
+  });
 }
 
 std::vector<LiftingPoint> contact_points(const Stands* stands, std::vector<LiftingPoint> points) {

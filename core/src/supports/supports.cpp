@@ -44,12 +44,32 @@ InputError error_at(std::size_t number, std::string why) {
                      std::move(why));
 }
 
+// A support within this many snap distances of the outline may be meant to stand at the edge.
+constexpr double nearly = 10;
+
+// A snap distance of one digit that is at least this.
+std::string enough_for(double distance) {
+  Decimal decimal = shortest_decimal(distance);
+  bool is_exact = true;
+  for (; decimal.digits >= 10; ++decimal.exponent) {
+    is_exact = is_exact && decimal.digits % 10 == 0;
+    decimal.digits /= 10;
+  }
+  const std::string text =
+      std::to_string(decimal.digits + (is_exact ? 0 : 1)) + "e" + std::to_string(decimal.exponent);
+  return shortest(read_number(text).value_or(distance));
+}
+
 std::string why_refused(const PolygonWithHoles& object, const SupportPlacer& placer,
                         const Vec2& support) {
   const std::string at = "(" + shortest(support.x) + ", " + shortest(support.y) + ")";
   if (const auto hole = object.hole_around(support))
     return say("{point} is in hole {hole}", {at, *hole + 1});
-  return say("{point} is {distance} outside the object", {at, in_brief(placer.distance(support))});
+  const double outside = placer.distance(support);
+  if (outside > nearly * placer.snap())
+    return say("{point} is {distance} outside the object", {at, in_brief(outside)});
+  return say("{point} is {distance} outside the object; --snap {snap} puts it at the edge",
+             {at, in_brief(outside), enough_for(outside)});
 }
 
 }  // namespace
@@ -69,6 +89,19 @@ double SupportPlacer::distance(const Vec2& point) const {
   return least;
 }
 
+std::optional<std::uint32_t> SupportPlacer::notch_near(const Vec2& point) const {
+  const Polygon& outline = object_.outline();
+  std::optional<std::uint32_t> nearest;
+  double least = snap_;
+  for (std::uint32_t i = 0; i < outline.size(); ++i) {
+    const double distance = length(outline.vertex(i) - point);
+    if (distance > least || (nearest && distance == least) || !outline.is_notch(i)) continue;
+    least = distance;
+    nearest = i;
+  }
+  return nearest;
+}
+
 std::optional<LiftingPoint> SupportPlacer::place(const Vec2& support) const {
   const Polygon& outline = object_.outline();
   const double least = distance(support);
@@ -76,11 +109,15 @@ std::optional<LiftingPoint> SupportPlacer::place(const Vec2& support) const {
     return is_inside(outline, support) && !object_.hole_around(support)
                ? std::optional(LiftingPoint{support, beneath})
                : std::nullopt;
+  const bool is_exact = least <= rounding_of(support);
+  if (const auto notch = is_exact ? std::nullopt : notch_near(support))
+    return LiftingPoint{outline.vertex(*notch),
+                        std::min(*notch, static_cast<std::uint32_t>(outline.previous(*notch)))};
   const double near = near_distance(outline.diameter());
   for (std::uint32_t i = 0; i < outline.size(); ++i) {
     const Vec2 at = nearest_on_segment(outline.edge_start(i), outline.edge_end(i), support);
     if (length(support - at) > least + near) continue;
-    return LiftingPoint{or_vertex(outline, i, least <= rounding_of(support) ? support : at), i};
+    return LiftingPoint{or_vertex(outline, i, is_exact ? support : at), i};
   }
   return std::nullopt;  // never: some edge is nearest
 }
@@ -124,6 +161,39 @@ Result<std::vector<LiftingPoint>> place_supports(const PolygonWithHoles& object,
     points.push_back(*point);
   }
   return points;
+}
+
+std::vector<std::string> snap_notes(const PolygonWithHoles& object, const Settings& settings) {
+  const SupportPlacer placer(object, settings);
+  constexpr double worth_telling = 1e-6;
+  double most = 0, least_beneath = std::numeric_limits<double>::infinity();
+  std::size_t moved = 0, nearest = 0;
+  for (std::size_t i = 0; i < settings.supports.size(); ++i) {
+    const auto place = placer.place(settings.supports[i]);
+    if (!place) continue;
+    if (place->edge == beneath) {
+      const double distance = placer.distance(settings.supports[i]);
+      if (distance < least_beneath) nearest = i;
+      least_beneath = std::min(least_beneath, distance);
+      continue;
+    }
+    const double way = length(place->position - settings.supports[i]);
+    if (way <= worth_telling * object.outline().diameter()) continue;
+    ++moved;
+    most = std::max(most, way);
+  }
+  std::vector<std::string> notes;
+  if (moved > 0)
+    notes.push_back(say(moved == 1
+                            ? "{number} support was put at the edge, {distance} away"
+                            : "{number} supports were put at the edge, at most {distance} away",
+                        {moved, in_brief(most)}));
+  if (least_beneath <= nearly * placer.snap())
+    notes.push_back(
+        say("robot {robot} is beneath the object, {distance} from the edge; --snap "
+            "{snap} puts it at the edge",
+            {nearest + 1, in_brief(least_beneath), enough_for(least_beneath)}));
+  return notes;
 }
 
 }  // namespace evenlift

@@ -33,7 +33,7 @@ Choices::Choices(const PolygonWithHoles& object, const Vec2& centre,
       bounds_(level_bounds(hold.min_margin)),
       coarse_cover_(object, centre),
       cover_(object, centre),
-      margins_(object, centre, hold.clear) {
+      margins_(object, centre, hold) {
   parts_.reserve(candidates.size());
   for (std::uint32_t i = 0; i < candidates.size(); ++i) parts_.push_back(part_of({i}));
   for (const int x : {-1, 0, 1})
@@ -65,12 +65,8 @@ bool Choices::fit(std::uint32_t candidate, std::uint32_t other) const {
   });
 }
 
-std::uint32_t Choices::level_of(const std::optional<double>& margin) const {
-  return evenlift::level_of(margin, bounds_);
-}
-
 HoldKeys Choices::keys_of(const Part& part) const {
-  return {level_of(margins_.of(contact_points(stands_, part.robots))),
+  return {margins_.level_of(contact_points(stands_, part.robots)),
           cover_.of(balanced::small_hull(part.robots, centre_), steps_), part.ratios};
 }
 
@@ -121,12 +117,15 @@ void Choices::know(const Wrench& direction) {
 }
 
 bool Choices::reaches(const Trial& trial, std::uint32_t level) {
-  const std::vector<Wrench> wrenches =
-      margins_.wrenches_of(contact_points(stands_, robots_of(trial)));
+  const std::vector<LiftingPoint> points = contact_points(stands_, robots_of(trial));
+  const std::vector<Wrench> wrenches = margins_.wrenches_of(points);
   steps_ += 20 * wrenches.size();
   if (wrenches.empty()) return false;
   const WeakestDirection weakest = weakest_direction(wrenches);
-  if (level_of(weakest.margin) >= level) return true;
+  if (level_of(weakest.margin, bounds_) >= level) {
+    steps_ += 20 * wrenches.size();
+    return level == 0 || margins_.are_firm(points, weakest.margin);
+  }
   know(weakest.direction);
   return false;
 }

@@ -61,7 +61,7 @@ class Choices {
   // Whether a known direction proves that the margin is below `level`, which must be above 0.
   bool surely_below(const Trial& trial, std::uint32_t level);
 
-  // Whether the margin reaches the level. If not, the direction of the weakest hold becomes known.
+  // Whether the margin reaches the level, and the hold is firm. If the margin does not, the direction of the weakest hold becomes known.
   bool reaches(const Trial& trial, std::uint32_t level);
 
   // Whether the work so far exceeds most_swap_steps (swaps.h).
@@ -76,7 +76,6 @@ class Choices {
   const Part& part(std::uint32_t number) const {
     return number < parts_.size() ? parts_[number] : staying_[number - parts_.size()];
   }
-  std::uint32_t level_of(const std::optional<double>& margin) const;
   const std::vector<LiftingPoint>& robots_of(const Trial& trial) const;
   void know(const Wrench& direction);
 

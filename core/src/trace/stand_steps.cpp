@@ -20,7 +20,7 @@ LiftingPoint roomiest(const Polygon& polygon, const Stands& stands) {
   std::uint32_t edge = 0;
   Stretch longest;
   for (std::uint32_t e = 0; e < polygon.size(); ++e)
-    for (const Stretch& stretch : stands.usable(e))
+    for (const Stretch& stretch : stands.room(e))
       if (size_of(stretch) > size_of(longest)) {
         longest = stretch;
         edge = e;
@@ -36,7 +36,7 @@ StandsDetail look_at_stands(const Trace& trace) {
   StandsDetail detail;
   for (std::uint32_t edge = 0; edge < trace.polygon().size(); ++edge) {
     detail.boundary += length(trace.polygon().edge_end(edge) - trace.polygon().edge_start(edge));
-    for (const Stretch& stretch : stands.usable(edge)) detail.usable += size_of(stretch);
+    for (const Stretch& stretch : stands.room(edge)) detail.usable += size_of(stretch);
   }
   std::array<std::uint32_t, why_unusable_count> longest;
   longest.fill(no_index);

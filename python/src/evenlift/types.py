@@ -65,6 +65,7 @@ class Settings(TypedDict, total=False):
     min_margin: Optional[float]
     apart: Optional[float]
     clear: Optional[float]
+    accuracy: Optional[float]
     survive: Optional[int]
     positions: Optional[Positions]
     robot: Optional[str]
@@ -183,7 +184,7 @@ class Closure(TypedDict):
     form_closure: bool
     margin: Optional[float]
     clearance: Optional[float]
-    tolerance: float
+    tolerance: Optional[float]
     second_order: bool
     free: list[Motion]
     clockwise: list[Position]
@@ -209,6 +210,24 @@ class Requirement(TypedDict):
     condition: str
     value: Union[float, bool, None]
     kept: bool
+
+
+class LimitedBy(TypedDict):
+    what: Literal["fits", "stands", "hold", "capacity"]
+    robots: list[int]
+    edge: Optional[int]
+
+
+class Accuracy(TypedDict):
+    """How far all robots may be off. Each length is None if what it is about does not hold, or has no limit."""
+
+    asked: float
+    all_within: Optional[float]
+    limited_by: Optional[LimitedBy]
+    fits_within: Optional[float]
+    stands_within: Optional[float]
+    hold_within: Optional[float]
+    capacity_within: Optional[float]
 
 
 class _Robustness(TypedDict):
@@ -357,6 +376,7 @@ class PlacementDict(_PlacementDict, total=False):
     no_go: str
     unusable: list[list[Union[float, UnusableReason]]]
     robustness: Robustness
+    accuracy: Accuracy
     extra: ExtraLoad
     com_height: float
     slope: float

@@ -47,7 +47,7 @@ def placement() -> None:
         assert_type(robot["team"], int)
     assert_type(placed["closure"]["margin"], Optional[float])
     assert_type(placed["closure"]["clearance"], Optional[float])
-    assert_type(placed["closure"]["tolerance"], float)
+    assert_type(placed["closure"]["tolerance"], Optional[float])
     assert_type(placed["closure"]["free"], list[Literal["clockwise", "counterclockwise", "translation"]])
     loads = placed["loads"]
     if loads is not None:

@@ -18,6 +18,7 @@ namespace evenlift {
 //   stands             C is in the lifting base, within tau L (equilibrium.h)
 //   steady             the object does not tip after any one failure, both on level ground
 //                      (failures_clear) and under the disturbance (disturbance_of())
+//   upright            C is clearly in the lifting base (is_upright() of accuracy.h)
 //   capacity           no robot carries more than its capacity
 //   coverage           the coverage, from 0 to 1
 //   max, min           the greatest and the least planned load
@@ -29,10 +30,12 @@ namespace evenlift {
 //   tip                the slope, in degrees, at which the object tips in the worst direction
 //                      (tilt.h)
 //   robots             the number of robots
+//   within             the length by which all robots may be off while all that is told stays true
+//                      (accuracy.h), infinite without a limit; none if the object falls or tips
 //   worst              the greatest load of a robot that statics allows, under the disturbance
 //                      (worst_loads() of placed_robots.h)
 //
-// The first four are true or false. `capacity`, `max` and `min` refer to the planned loads or,
+// The first five are true or false. `capacity`, `max` and `min` refer to the planned loads or,
 // under a disturbance, to the ends of their ranges (loads_when_disturbed()). If the object falls,
 // or can tip under the disturbance, conditions on these three quantities are not met.
 struct Condition {
@@ -45,7 +48,7 @@ struct Condition {
 inline constexpr std::size_t most_conditions = 100;
 
 // Reads the conditions in a text, separated by commas; there may be at most most_conditions. Each
-// is one of the first four names, or another name, >= or <=, and a number. Spaces do not matter. An
+// is one of the first five names, or another name, >= or <=, and a number. Spaces do not matter. An
 // error has the place "require". The error for a faulty condition lists all names, and quotes the
 // condition if it is short and printable. O(bytes).
 Result<std::vector<Condition>> read_conditions(std::string_view text);

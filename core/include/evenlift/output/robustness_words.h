@@ -48,6 +48,26 @@ std::string failure_in_words(std::size_t robot, std::size_t robots,
 // the others cannot carry the object. `failing` comes from with_failure().
 std::string rest_in_words(const ShownPlacement& failing);
 
+// Says how far robots may be off while all that was told of the placement stays true: "All of this
+// holds if robots stand within 8.1 mm of their places, and robots 1 and 5 in their inward corners."
+// The text is empty if there is no such limit, if it is 0 within tolerance, or if it is that of a
+// hold that is not firm, which closure_in_words() describes.
+// With the setting `accuracy`, it says whether all of it holds with robots that are off by that, and
+// the greatest load then, or inaccuracy_in_words().
+std::string accuracy_in_words(const ShownPlacement& of);
+
+// Says what ends within the setting `accuracy`, and from where on: "With robots off by 7 mm or more,
+// the robots may no longer hold it." Empty if nothing does.
+std::string inaccuracy_in_words(const ShownPlacement& of);
+
+// The same as a fact, with what may end first; nothing if there is no limit.
+std::optional<Fact> accuracy_fact(const ShownPlacement& of);
+
+// Says that C is too near to the edge of the lifting base (is_upright() of accuracy.h): "C is only
+// 3 mm inside the line from robot 1 to robot 2." The text is empty if it is not, if all robots
+// stand on one line, or if the object falls.
+std::string upright_in_words(const ShownPlacement& of);
+
 // Returns the number of robots that may fail, the tipping distance and, if the height of C is above
 // 0, the slope at which the object tips. If one robot has failed (`failing`), `robustness` must be
 // that of the others, and the first fact only says that one robot fails.

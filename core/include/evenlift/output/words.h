@@ -141,8 +141,8 @@ std::string cut_short_in_words(const Placement& placement);
 // is empty if there are no teams, or if the object falls.
 std::string coverage_in_words(const Placement& placement);
 
-// Describes the hold. In form closure, the text says by how much robots may be off or, if the hold
-// depends on a contact near a corner, which robot must be placed accurately. Otherwise the text
+// Describes the hold. In form closure that is not firm (placement.h), the text says which robot must
+// be placed accurately, or how accurately all must be. Otherwise the text
 // says that the object is held to second order, that no contact counts, or which motions are free:
 // "It can still turn clockwise." The text is empty if there are no teams.
 std::string closure_in_words(const ShownPlacement& of);
@@ -151,14 +151,15 @@ std::string closure_in_words(const ShownPlacement& of);
 std::string free_motions_in_words(const Closure& closure);
 
 // Returns whether the robots hold the object. In form closure, the result is that of
-// hold_clearly() (placement.h); otherwise, it is true if the object is held to second order.
+// hold_firmly() (placement.h); otherwise, it is true if the object is held to second order.
 bool is_held(const Placement& placement);
 
 // The least coverage of a good result.
 inline constexpr double good_coverage = 0.5;
 
-// Returns the text that follows loads_in_words(): the shortage, the coverage and the hold. The hold
-// comes before the coverage if only the hold is a problem.
+// Returns the text that follows loads_in_words(): the shortage, that C is near the edge of the base,
+// the coverage, the hold, and how far robots may be off. The hold comes before the coverage if only
+// the hold is a problem.
 std::string detail_in_words(const ShownPlacement& of);
 
 // Returns what is worst: that the object tips under the given conditions (tipping_in_words()), or

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "evenlift/accuracy.h"
 #include "evenlift/candidates.h"
 #include "evenlift/output/json_text.h"
 #include "evenlift/output/verdict.h"
@@ -75,7 +76,9 @@ std::string closure_json(const Closure& closure) {
        {"clearance", std::isfinite(closure.clearance.distance)
                          ? json::number(closure.clearance.distance)
                          : "null"},
-       {"tolerance", json::number(closure.clearance.tolerance)},
+       {"tolerance", std::isfinite(closure.clearance.tolerance)
+                         ? json::number(closure.clearance.tolerance)
+                         : "null"},
        {"second_order", json::boolean(closure.second_order)},
        {"free", json::array(free)},
        {"clockwise", json::points(closure.clockwise.clipped, 2)},
@@ -190,9 +193,9 @@ void add_misfits(std::vector<json::Member>& members, const Placement& placement)
 std::string requirements_json(const std::vector<Requirement>& requirements) {
   std::vector<std::string> items;
   for (const auto& [condition, value, kept] : requirements) {
-    const std::string known = !value                    ? "null"
-                              : is_yes_or_no(condition) ? json::boolean(*value == 1)
-                                                        : json::number(*value);
+    const std::string known = !value || std::isinf(*value) ? "null"
+                              : is_yes_or_no(condition)    ? json::boolean(*value == 1)
+                                                           : json::number(*value);
     items.push_back(json::object({{"condition", json::text(condition.text)},
                                   {"value", known},
                                   {"kept", json::boolean(kept)}}));
@@ -263,6 +266,7 @@ std::string placement_json(const ShownPlacement& of, bool with_candidates,
   add_moved(members, placement.moved);
   add_stands(members, placement);
   if (robots) members.push_back({"robustness", json::robustness(of, models, 1)});
+  if (robots) members.push_back({"accuracy", json::accuracy(accuracy(of), 1)});
   if (robots && with_failures) members.push_back({"failures", failures_json(of)});
   add_carrying(members, of);
   if (capacity) members.push_back({"capacity", capacity_json(of, *capacity, models)});

@@ -66,6 +66,26 @@ std::string ranges(const std::vector<LoadRange>& ranges) {
   return array(items);
 }
 
+std::string accuracy(const Accuracy& accuracy, int depth) {
+  std::string limited_by = "null";
+  if (accuracy.first) {
+    std::vector<std::string> robots;
+    for (const std::size_t robot : accuracy.first->robots) robots.push_back(std::to_string(robot));
+    const auto& edge = accuracy.first->edge;
+    limited_by = object({{"what", text(name(accuracy.first->what))},
+                         {"robots", array(robots)},
+                         {"edge", edge ? std::to_string(*edge) : "null"}});
+  }
+  return long_object({{"asked", number(accuracy.asked)},
+                      {"all_within", accuracy.first ? number(accuracy.first->within) : "null"},
+                      {"limited_by", limited_by},
+                      {"fits_within", number_or_null(accuracy[Promise::fits])},
+                      {"stands_within", number_or_null(accuracy[Promise::stands])},
+                      {"hold_within", number_or_null(accuracy[Promise::hold])},
+                      {"capacity_within", number_or_null(accuracy[Promise::capacity])}},
+                     depth);
+}
+
 std::string tilt(const std::optional<Tilt>& tilt, int depth) {
   if (!tilt) return "null";
   return long_object({{"height", number(tilt->height)},

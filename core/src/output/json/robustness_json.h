@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "evenlift/accuracy.h"
 #include "evenlift/extra_load.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/tilt.h"
@@ -27,6 +28,7 @@ std::string robustness(const ShownPlacement& of, const std::optional<ModelLoads>
 std::string failures(const std::vector<std::optional<RestOfRobots>>& failures,
                      const std::vector<bool>& overloads, bool with_disturbance, int depth);
 
+std::string accuracy(const Accuracy& accuracy, int depth);
 std::string tilt(const std::optional<Tilt>& tilt, int depth);
 std::string extra(const std::optional<ExtraLoad>& extra, double weight, int depth);
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "document/stand_settings.h"
+#include "evenlift/accuracy.h"
 #include "evenlift/capacity.h"
 #include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
@@ -82,6 +84,13 @@ Known tipping_angle(const ShownPlacement& of) {
   return tilt ? Known(tilt->degrees) : std::nullopt;
 }
 
+// How far robots may be off: infinite if there is no limit, nothing if the object falls or tips.
+Known within(const ShownPlacement& of) {
+  if (!of.placement.loads || tips_when_disturbed(of)) return std::nullopt;
+  const auto first = accuracy(of).first;
+  return first ? first->within : std::numeric_limits<double>::infinity();
+}
+
 // A value's unit, also of what rounding may change.
 enum class Unit : std::uint8_t { none, number, share, weight, length, degrees };
 
@@ -100,6 +109,7 @@ const Row rows[] = {
     {"stands", "The object stands on its robots", true, Unit::none,
      [](const ShownPlacement& of) -> Known { return of.placement.loads.has_value(); }},
     {"steady", "Any one robot may fail without tipping the object", true, Unit::none, steady},
+    {"upright", "The centre of mass is clearly inside the lifting base", true, Unit::none, [](const ShownPlacement& of) -> Known { return is_upright(of); }},
     {"capacity", "No robot carries more than its capacity", true, Unit::none, within_capacity},
     {"coverage", "The coverage", false, Unit::share, [](const ShownPlacement& of) -> Known { return of.placement.coverage; }},
     {"max", "The greatest load", false, Unit::weight, greatest_load},
@@ -113,6 +123,7 @@ const Row rows[] = {
     {"tip", "The slope at which it tips", false, Unit::degrees, tipping_angle},
     {"robots", "The number of robots", false, Unit::none,
      [](const ShownPlacement& of) -> Known { return static_cast<double>(count_robots(of.placement.teams)); }},
+    {"within", "How far robots may be off", false, Unit::length, within},
     {"worst", "The greatest load that statics allows", false, Unit::weight, worst_load},
 };
 // clang-format on
@@ -258,6 +269,7 @@ std::string condition_in_words(const Condition& condition, const Units& units) {
 std::string value_in_words(const Requirement& requirement, const Units& units) {
   if (!requirement.value) return {};
   if (is_yes_or_no(requirement.condition)) return *requirement.value == 1 ? "yes" : "no";
+  if (std::isinf(*requirement.value)) return say("no limit");
   const Unit unit = row_of(requirement.condition).unit;
   const double value = in_unit(*requirement.value, unit);
   const double limit = in_unit(requirement.condition.limit, unit);
@@ -271,6 +283,7 @@ std::string requirement_in_words(const Requirement& requirement) {
   const std::string value =
       !requirement.value                    ? "no value"
       : is_yes_or_no(requirement.condition) ? (*requirement.value == 1 ? "yes" : "no")
+      : std::isinf(*requirement.value)      ? "no limit"
       : requirement.kept                    ? significant(*requirement.value, 6)
                          : unlike_limit(*requirement.value, requirement.condition.limit);
   return requirement.condition.text + ": " + value + (requirement.kept ? ", kept" : ", not kept");

@@ -2,6 +2,7 @@
 
 #include "evenlift/capacity.h"
 #include "evenlift/output/carrying_words.h"
+#include "evenlift/output/robustness_words.h"
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
 
@@ -79,9 +80,11 @@ Judgement judge(const ShownPlacement& of, LoadModel model, const std::vector<Loa
   const bool is_bad = !reasons.empty();
   for (std::string& misfit : misfits_in_words(of)) add(std::move(misfit));
   add(shortage_in_words(placement));
+  add(upright_in_words(of));
   if (placement.coverage < good_coverage && !tips_when_disturbed(of))
     add(coverage_in_words(placement));
   if (!is_held(placement)) add(closure_in_words(of));
+  add(inaccuracy_in_words(of));
   judgement.kind = is_bad            ? VerdictKind::bad
                    : reasons.empty() ? VerdictKind::good
                                      : VerdictKind::warning;

@@ -1,6 +1,7 @@
 #include "evenlift/output/words.h"
 
 #include "evenlift/output/carrying_words.h"
+#include "evenlift/output/robustness_words.h"
 
 #include <algorithm>
 #include <string_view>
@@ -127,10 +128,16 @@ std::string need_if_one_fails(const FailurePlan& plan, const ShownPlacement& of)
              {count_of(plan.tried, "robot", "robots")});
 }
 
-std::string near_corner_in_words(const ShownPlacement& of) {
+// That the hold is not firm, and why.
+std::string fragile_hold_in_words(const ShownPlacement& of) {
   const Clearance& clearance = of.placement.closure.clearance;
+  HoldRequirements hold = hold_requirements(of.placement);
+  hold.tolerance = 0;
+  if (is_firm(of.placement.polygon(), clearance, hold))
+    return say("It is held only as long as robots stand within {distance} of their places.",
+               {promised_length(clearance.tolerance, of.shown.units)});
   return say(
-      "The hold depends on the accuracy of robot {robot}, which stands only {distance} from a "
+      "It is held only as long as robot {robot} stands accurately: it is only {distance} from a "
       "corner.",
       {clearance.point.value_or(0) + 1, promised_length(clearance.distance, of.shown.units)});
 }
@@ -362,12 +369,9 @@ std::string closure_in_words(const ShownPlacement& of) {
   const Placement& placement = of.placement;
   if (placement.teams.empty()) return {};
   const Closure& closure = placement.closure;
-  if (closure.form_closure && !hold_clearly(placement)) return near_corner_in_words(of);
+  if (closure.form_closure && !hold_firmly(placement)) return fragile_hold_in_words(of);
   if (closure.form_closure)
-    return say(
-        "The robots' contact alone stops it from sliding or turning. Robots may be off by {distance} "
-        "along their edges.",
-        {promised_length(closure.clearance.tolerance, of.shown.units)});
+    return say("The robots' contact alone stops it from sliding or turning.");
   if (closure.second_order)
     return say("It is held only to second order: any movement jams as soon as it begins.");
   if (!closure.margin && stands_beneath(placement))
@@ -391,17 +395,18 @@ std::string free_motions_in_words(const Closure& closure) {
 }
 
 bool is_held(const Placement& placement) {
-  return placement.closure.form_closure ? hold_clearly(placement) : placement.closure.second_order;
+  return placement.closure.form_closure ? hold_firmly(placement) : placement.closure.second_order;
 }
 
 std::string detail_in_words(const ShownPlacement& of) {
   const Placement& placement = of.placement;
   const std::string coverage = coverage_in_words(placement), closure = closure_in_words(of);
   // A press matters only where the object stays without one. Problems come first.
-  if (tips_when_disturbed(of)) return joined({shortage_in_words(placement), closure});
+  const std::string accuracy = accuracy_in_words(of);
+  if (tips_when_disturbed(of)) return joined({shortage_in_words(placement), closure, accuracy});
   const bool closure_first = !is_held(placement) && placement.coverage >= good_coverage;
-  return joined({shortage_in_words(placement), closure_first ? closure : coverage,
-                 closure_first ? coverage : closure});
+  return joined({shortage_in_words(placement), upright_in_words(of),
+                 closure_first ? closure : coverage, closure_first ? coverage : closure, accuracy});
 }
 
 std::string worst_news_in_words(const ShownPlacement& of, LoadModel shown,
@@ -497,11 +502,7 @@ std::vector<Fact> facts_in_words(const ShownPlacement& of) {
        "order, if no robot gives way"});
   facts.push_back({"Margin", hold_in_words(closure),
                    "Strength of form closure; compare only placements of the same object"});
-  if (closure.form_closure)
-    facts.push_back(
-        {"Robots may be off by", promised_length(closure.clearance.tolerance, of.shown.units),
-         "All robots at once, each along its edge, except robots in inward corners: form closure "
-         "remains"});
+  if (auto accuracy = accuracy_fact(of)) facts.push_back(*std::move(accuracy));
   return facts;
 }
 

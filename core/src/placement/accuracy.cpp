@@ -1,0 +1,345 @@
+#include "evenlift/accuracy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "evenlift/capacity.h"
+#include "evenlift/equilibrium.h"
+#include "evenlift/predicates.h"
+#include "evenlift/stands.h"
+#include "evenlift/tilt.h"
+#include "evenlift/tolerance.h"
+#include "exact/sorted_indices.h"
+#include "placement/robot_drift.h"
+#include "robustness/known_size.h"
+#include "robustness/load_errors.h"
+
+namespace evenlift {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+using First = Accuracy::First;
+
+// The supremum of the x in [0, high] at which a condition that holds at 0, and ends once, holds.
+template <class Condition>
+double last_that(double high, const Condition& holds) {
+  if (holds(high)) return high;
+  double low = 0;
+  constexpr int halvings = 50;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = low + (high - low) / 2;
+    (holds(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+// Where robots have room: their usable parts, and each other.
+class Room {
+ public:
+  Room(const Placement& placement, const std::vector<RobotDrift>& drifts)
+      : polygon_(placement.polygon()),
+        stands_(*placement.stands),
+        robots_(lifting_points(placement.teams)),
+        drifts_(drifts),
+        near_(near_distance(polygon_.diameter())) {}
+
+  std::optional<First> first() const {
+    First first{Promise::fits, infinite, {}, {}};
+    for (std::size_t i = 0; i < robots_.size(); ++i)
+      if (const double within = along(i); within < first.within)
+        first = {Promise::fits, within, {i}, robots_[i].edge};
+    if (stands_.has_body()) look_at_pairs(first);
+    if (first.within == infinite) return std::nullopt;
+    return first;
+  }
+
+ private:
+  double along(std::size_t robot) const {
+    if (robots_[robot].edge == beneath || drifts_[robot].is_fixed()) return infinite;
+    return std::min(along(robot, true), along(robot, false));
+  }
+
+  // Of robots whose contacts are farther apart along the x axis than this, none is first.
+  double farthest_worth(const First& first) const {
+    const RobotSize& size = stands_.robot();
+    return 2 * (first.within + size.depth + size.radius + size.reach + size.radius + size.width) +
+           size.gap;
+  }
+
+  void look_at_pairs(First& first) const {
+    std::vector<double> x;
+    for (const LiftingPoint& robot : robots_) x.push_back(stands_.contact(robot).x);
+    const auto order =
+        sorted_indices(x.size(), [&](std::uint32_t a, std::uint32_t b) { return x[a] < x[b]; });
+    for (std::size_t k = 0; k < order.size(); ++k)
+      for (std::size_t l = k + 1; l < order.size(); ++l) {
+        if (x[order[l]] - x[order[k]] > farthest_worth(first)) break;
+        const std::size_t i = std::min(order[k], order[l]), j = std::max(order[k], order[l]);
+        if (const double within = between(i, j, first.within); within < first.within)
+          first = {Promise::fits, within, {i, j}, {}};
+      }
+  }
+
+  // Follows the usable parts in one direction. A body does not come round a corner.
+  double along(std::size_t robot, bool on) const {
+    std::uint32_t edge = robots_[robot].edge;
+    double at = stands_.along(robots_[robot]), way = 0;
+    for (std::size_t passed = 0; passed < polygon_.size(); ++passed) {
+      const auto parts = stands_.room(edge);
+      const Stretch* part = std::find_if(parts.begin(), parts.end(), [&](const Stretch& each) {
+        return at >= each.from - 3 * near_ && at <= each.to + 3 * near_;
+      });
+      if (part == parts.end()) return way;
+      way += std::max(0.0, on ? part->to - at : at - part->from);
+      const double size = length(polygon_.edge_end(edge) - polygon_.edge_start(edge));
+      if (on ? part->to < size - 3 * near_ : part->from > 3 * near_) return way;
+      const std::size_t vertex = on ? polygon_.next(edge) : edge;
+      if (stands_.has_body() && (polygon_.is_corner(vertex) || polygon_.is_notch(vertex)))
+        return way;
+      edge = static_cast<std::uint32_t>(on ? vertex : polygon_.previous(edge));
+      at = on ? 0 : length(polygon_.edge_end(edge) - polygon_.edge_start(edge));
+    }
+    return infinite;
+  }
+
+  double between(std::size_t i, std::size_t j, double most) const {
+    const double room = std::max(0.0, stands_.room_between(robots_[i], robots_[j]));
+    const RobotDrift &a = drifts_[i], &b = drifts_[j];
+    if (room == infinite || (a.is_fixed() && b.is_fixed()) || room >= 2 * most) return infinite;
+    const double arm =
+        std::max(stands_.robot().radius + stands_.robot().reach, stands_.robot().depth);
+    const double straight = a.is_fixed() || b.is_fixed() ? room : room / 2;
+    return last_that(straight, [&](double error) {
+      return a.way(arm, error) + b.way(arm, error) <= room * (1 + 1e-15);
+    });
+  }
+
+  const Polygon& polygon_;
+  const Stands& stands_;
+  std::vector<LiftingPoint> robots_;
+  const std::vector<RobotDrift>& drifts_;
+  double near_;
+};
+
+std::optional<First> until_misfit(const Placement& placement,
+                                  const std::vector<RobotDrift>& drifts) {
+  if (!placement.stands || !misfits(placement).empty()) return std::nullopt;
+  return Room(placement, drifts).first();
+}
+
+// H moves by no more than its robots.
+std::optional<First> until_tipping(const ShownPlacement& of,
+                                   const std::vector<RobotDrift>& drifts) {
+  const Placement& placement = of.placement;
+  const auto line = tipping_line(placement);
+  if (!line || tips_when_disturbed(of)) return std::nullopt;
+  if (std::all_of(drifts.begin(), drifts.end(), [](const auto& each) { return each.is_fixed(); }))
+    return std::nullopt;
+  const double left = std::max(0.0, line->distance - effect_on(of).reach);
+  const double depth = placement.settings.robot.depth;
+  const double within = last_that(left, [&](double error) {
+    return std::all_of(drifts.begin(), drifts.end(),
+                       [&](const RobotDrift& each) { return each.way(depth, error) <= left; });
+  });
+  return First{Promise::stands, within, {line->robots[0], line->robots[1]}, {}};
+}
+
+std::optional<First> until_loose(const Placement& placement) {
+  const Closure& closure = placement.closure;
+  const double within = closure.clearance.tolerance;
+  if (!closure.form_closure || within == infinite) return std::nullopt;
+  First first{Promise::hold, within, {}, {}};
+  const double near = near_distance(placement.polygon().diameter());
+  for (const Contact& contact : contacts(placement.polygon(), contact_points(placement)))
+    if (std::fabs(contact.to_corner - within) <= near &&
+        (first.robots.empty() || first.robots.back() != contact.point))
+      first.robots.push_back(contact.point);
+  return first;
+}
+
+std::vector<ErrorDirection> directions_of(const Placement& placement,
+                                          const std::vector<RobotDrift>& drifts) {
+  using Kind = ErrorDirection::Kind;
+  const Polygon& polygon = placement.polygon();
+  std::vector<ErrorDirection> directions;
+  for (const LiftingPoint& point : lifting_points(placement.teams)) {
+    ErrorDirection direction;
+    if (point.edge == beneath)
+      direction.kind = Kind::any;
+    else if (!drifts[directions.size()].is_fixed())
+      direction = {Kind::along, left_normal(inward_normal(polygon, point.edge))};
+    directions.push_back(direction);
+  }
+  return directions;
+}
+
+// The loads with robots that are off, against the capacities.
+class Overload {
+ public:
+  Overload(const ShownPlacement& of, const std::vector<RobotDrift>& drifts)
+      : of_(of),
+        size_(of.placement.polygon().diameter()),
+        robots_(positions(lifting_points(of.placement.teams))),
+        by_springs_(of.placement.settings.method == Method::given),
+        planned_(planned_loads(of.placement.teams)),
+        errors_(robots_, of.placement.centre_of_mass,
+                known_size(robots_, of.placement.centre_of_mass, size_), of.placement.weight(),
+                planned_, !by_springs_, directions_of(of.placement, drifts)) {
+    const std::vector<LoadRange> ranges = loads_when_disturbed(of);
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      const auto limit = capacity_of(of, i);
+      ends_.push_back(ranges[i].greatest);
+      limits_.push_back(limit.value_or(infinite));
+    }
+  }
+
+  bool is_overloaded() const { return !overloaded_robots(of_, ends_).empty(); }
+
+  // The greatest load if all robots are off by `error`: of those that are greatest to first order,
+  // also computed anew.
+  Accuracy::Greatest greatest(double error) const {
+    std::vector<double> linear;
+    for (std::size_t i = 0; i < robots_.size(); ++i)
+      linear.push_back(ends_[i] + error * errors_.sum(i));
+    const auto order = sorted_indices(
+        linear.size(), [&](std::uint32_t a, std::uint32_t b) { return linear[a] > linear[b]; });
+    Accuracy::Greatest greatest{order.front(), linear[order.front()]};
+    for (std::size_t k = 0; k < order.size() && k < most_anew; ++k) {
+      const std::size_t i = order[k];
+      const double load = ends_[i] - planned_[i] + this->load(i, error);
+      if (load > greatest.load && std::isfinite(load)) greatest = {i, load};
+    }
+    return greatest;
+  }
+
+  // First to first order, then anew for those that are first by that.
+  std::optional<First> first() const {
+    std::vector<double> linear(robots_.size(), infinite);
+    for (std::size_t i = 0; i < robots_.size(); ++i)
+      if (limits_[i] < infinite)
+        if (const double sum = errors_.sum(i); sum > 0)
+          linear[i] = std::max(0.0, limits_[i] - ends_[i]) / sum;
+    const auto order = sorted_indices(
+        linear.size(), [&](std::uint32_t a, std::uint32_t b) { return linear[a] < linear[b]; });
+    First first{Promise::capacity, infinite, {}, {}};
+    for (std::size_t k = 0; k < order.size() && linear[order[k]] < infinite; ++k) {
+      const std::size_t i = order[k];
+      double within = linear[i];
+      if (k < most_anew)
+        within = last_that(within, [&](double error) {
+          return ends_[i] - planned_[i] + load(i, error) <= limits_[i] * (1 + tau);
+        });
+      if (within < first.within) first = {Promise::capacity, within, {i}, {}};
+    }
+    if (first.robots.empty()) return std::nullopt;
+    return first;
+  }
+
+ private:
+  static constexpr std::size_t most_anew = 16;
+
+  double load(std::size_t i, double error) const {
+    const Points places = errors_.worst_places(i, error);
+    if (!by_springs_) return errors_.planned_at(places)[i];
+    const auto springs =
+        spring_loads(places, of_.placement.centre_of_mass, size_, of_.placement.weight());
+    return springs ? springs->loads[i] : infinite;
+  }
+
+  const ShownPlacement& of_;
+  double size_;
+  Points robots_;
+  bool by_springs_;
+  std::vector<double> planned_;
+  LoadErrors errors_;
+  std::vector<double> ends_, limits_;  // the greatest loads without errors, and the capacities
+};
+
+std::optional<First> until_overload(const ShownPlacement& of, const Overload& overload) {
+  if (!has_capacities(of) || overload.is_overloaded()) return std::nullopt;
+  return overload.first();
+}
+
+}  // namespace
+
+std::string_view name(Promise promise) {
+  switch (promise) {
+    case Promise::fits:
+      return "fits";
+    case Promise::stands:
+      return "stands";
+    case Promise::hold:
+      return "hold";
+    case Promise::capacity:
+      return "capacity";
+  }
+  return {};
+}
+
+Accuracy accuracy(const ShownPlacement& of) {
+  const Placement& placement = of.placement;
+  Accuracy accuracy;
+  accuracy.asked = placement.settings.accuracy.value_or(0);
+  if (placement.teams.empty()) return accuracy;
+  const std::vector<RobotDrift> drifts = drifts_of(placement);
+  for (std::size_t i = 0; i < drifts.size(); ++i)
+    if (drifts[i].is_fixed()) accuracy.in_notches.push_back(i);
+  const double near = near_distance(placement.polygon().diameter());
+  const auto add = [&](std::optional<First> first) {
+    if (!first) return;
+    accuracy.within[static_cast<std::size_t>(first->what)] = first->within;
+    if (!accuracy.first || first->within < accuracy.first->within - near)
+      accuracy.first = std::move(first);
+  };
+  add(until_misfit(placement, drifts));
+  add(until_tipping(of, drifts));
+  add(until_loose(placement));
+  if (!placement.loads || tips_when_disturbed(of)) return accuracy;
+  if (!has_capacities(of) && !(accuracy.asked > 0)) return accuracy;
+  const Overload overload(of, drifts);
+  add(until_overload(of, overload));
+  if (accuracy.asked > 0) accuracy.greatest = overload.greatest(accuracy.asked);
+  return accuracy;
+}
+
+std::optional<TippingLine> tipping_line(const Placement& placement) {
+  if (!placement.loads) return std::nullopt;
+  const Points robots = positions(lifting_points(placement.teams));
+  const auto robot_at = [&](const Vec2& corner) {
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < robots.size(); ++i)
+      if (squared_length(robots[i] - corner) < squared_length(robots[nearest] - corner))
+        nearest = i;
+    return nearest;
+  };
+  const Points& base = placement.lifting_base;
+  TippingLine line;
+  line.distance = tipping_distance(base, placement.centre_of_mass, placement.polygon().diameter());
+  if (base.size() < 3) {
+    if (!base.empty()) line.robots = {robot_at(base.front()), robot_at(base.back())};
+    return line;
+  }
+  std::size_t least = 0;
+  const auto distance = [&](std::size_t i) {
+    const Vec2 &a = base[i], &b = base[(i + 1) % base.size()];
+    return orient(a, b, placement.centre_of_mass) / length(b - a);
+  };
+  for (std::size_t i = 1; i < base.size(); ++i)
+    if (distance(i) < distance(least)) least = i;
+  line.robots = {robot_at(base[least]), robot_at(base[(least + 1) % base.size()])};
+  std::sort(line.robots.begin(), line.robots.end());
+  return line;
+}
+
+bool is_upright(const ShownPlacement& of) {
+  const auto line = tipping_line(of.placement);
+  if (!line || tips_when_disturbed(of)) return false;
+  const double inside = std::max(hold_requirements(of.placement).inside,
+                                 effect_on(of).reach + of.placement.settings.accuracy.value_or(0));
+  return line->distance >= inside - near_distance(of.placement.polygon().diameter());
+}
+
+}  // namespace evenlift

@@ -1,0 +1,108 @@
+#include "robustness/load_errors.h"
+
+#include <cmath>
+#include <utility>
+
+#include "robustness/standard_frame.h"
+
+namespace evenlift {
+namespace {
+
+constexpr std::size_t most_exact = 1000;
+
+Points in_units(const Points& robots, const Vec2& centre, double unit) {
+  Points places;
+  places.reserve(robots.size());
+  for (const Vec2& robot : robots) places.push_back((robot - centre) / unit);
+  return places;
+}
+
+StandardFrame frame_of(const Points& places, const std::vector<double>& loads) {
+  Points carrying;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (loads[i] > 0) carrying.push_back(places[i]);
+  return carrying.empty() ? StandardFrame{} : standard_frame(carrying);
+}
+
+}  // namespace
+
+LoadErrors::LoadErrors(const Points& robots, const Vec2& centre, double unit, double weight,
+                       std::vector<double> loads, bool are_planned,
+                       std::vector<ErrorDirection> directions)
+    : robots_(robots),
+      centre_(centre),
+      unit_(unit),
+      weight_(weight),
+      loads_(std::move(loads)),
+      are_planned_(are_planned),
+      directions_(std::move(directions)),
+      places_(in_units(robots, centre, unit)) {
+  const StandardFrame frame = frame_of(places_, loads_);
+  for (Vec2& place : places_) place = frame(place);
+  axis_[0] = frame.axis[0];
+  axis_[1] = frame.axis[1];
+  of_centre_ = frame({});
+  for (const double load : loads_) {
+    carrying_ += load > 0 ? 1 : 0;
+    total_ += load;
+  }
+}
+
+Vec2 LoadErrors::derivative(std::size_t i, std::size_t j) const {
+  const auto in_plane = [&](const Vec2& q) { return axis_[0] * q.x + axis_[1] * q.y; };
+  Vec2 sum = in_plane(places_[i]) * -loads_[j];
+  if (!are_planned_ && loads_[j] > 0) {
+    const double p = (i == j ? 1.0 : 0.0) - (1 + dot(places_[i], places_[j])) / carrying_;
+    sum += in_plane(of_centre_) * (p * weight_);
+  }
+  return sum / (carrying_ * unit_);
+}
+
+double LoadErrors::sum(std::size_t i) const {
+  if (!(loads_[i] > 0)) return 0;
+  if (loads_.size() > most_exact) {
+    // The sum of |P_ij| is at most the root of m, since P is a projection.
+    const auto size = [&](const Vec2& q) { return length(axis_[0] * q.x + axis_[1] * q.y); };
+    return (size(places_[i]) * total_ +
+            (are_planned_ ? 0 : size(of_centre_) * std::sqrt(carrying_) * weight_)) /
+           (carrying_ * unit_);
+  }
+  double sum = 0;
+  for (std::size_t j = 0; j < loads_.size(); ++j) {
+    const ErrorDirection& direction = directions_[j];
+    if (direction.kind == ErrorDirection::Kind::none) continue;
+    const Vec2 by = derivative(i, j);
+    sum += direction.kind == ErrorDirection::Kind::any ? length(by)
+                                                       : std::fabs(dot(by, direction.along));
+  }
+  return sum;
+}
+
+Points LoadErrors::worst_places(std::size_t i, double error) const {
+  Points places = robots_;
+  for (std::size_t j = 0; j < places.size(); ++j) {
+    const ErrorDirection& direction = directions_[j];
+    if (direction.kind == ErrorDirection::Kind::none) continue;
+    const Vec2 by = derivative(i, j);
+    if (direction.kind == ErrorDirection::Kind::along)
+      places[j] += direction.along * (dot(by, direction.along) < 0 ? -error : error);
+    else if (const double size = length(by); size > 0)
+      places[j] += by * (error / size);
+  }
+  return places;
+}
+
+std::vector<double> LoadErrors::planned_at(const Points& robots) const {
+  const Points places = in_units(robots, centre_, unit_);
+  const StandardFrame frame = frame_of(places, loads_);
+  Vec2 moment;  // of the planned loads about C
+  for (std::size_t i = 0; i < places.size(); ++i) moment += places[i] * loads_[i];
+  const Vec2 in_frame{dot(frame.axis[0], moment), dot(frame.axis[1], moment)};
+  std::vector<double> loads;
+  loads.reserve(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    loads.push_back(loads_[i] > 0 ? loads_[i] - dot(frame(places[i]), in_frame) / carrying_ : 0);
+  return loads;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,174 @@
+#include "evenlift/accuracy.h"
+
+#include <cmath>
+#include <string>
+
+#include "evenlift/output/requirements.h"
+#include "evenlift/output/robustness_words.h"
+#include "evenlift/output/verdict.h"
+#include "evenlift/placement.h"
+#include "evenlift/supports.h"
+#include "evenlift/tolerance.h"
+#include "kit/catch.h"
+#include "kit/corpus.h"
+#include "kit/placed.h"
+#include "kit/polygons.h"
+#include "kit/texts.h"
+
+using namespace evenlift;
+using evenlift::testing::placed;
+using evenlift::testing::plainly;
+
+namespace {
+
+// A square of side 10 on these supports.
+Document on_square(const Points& supports) {
+  Document document;
+  document.vertices = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  document.settings.method = Method::given;
+  document.settings.supports = supports;
+  return document;
+}
+
+Accuracy accuracy_of(const Document& document) {
+  const Placement placement = placed(document);
+  return accuracy({placement, document.shown});
+}
+
+const Points held_square{{7, 0}, {10, 3}, {3, 10}, {0, 7}};
+
+}  // namespace
+
+TEST_CASE("what ends first is the least of what holds", "[accuracy]") {
+  const Document document = on_square(held_square);
+  const Accuracy all = accuracy_of(document);
+  CHECK(*all[Promise::hold] == Approx(2).epsilon(1e-10));
+  // The nearest edge of H is that between (10, 3) and (3, 10).
+  CHECK(*all[Promise::stands] == Approx(3 / std::sqrt(2)).epsilon(1e-9));
+  CHECK_FALSE(all[Promise::fits]);
+  CHECK_FALSE(all[Promise::capacity]);
+  REQUIRE(all.first);
+  CHECK(all.first->what == Promise::hold);
+  CHECK(all.first->within == Approx(2).epsilon(1e-10));
+}
+
+TEST_CASE("what does not hold anyway does not count", "[accuracy]") {
+  const Accuracy beneath = accuracy_of(on_square({{3, 3}, {7, 3}, {7, 7}, {3, 7}}));
+  CHECK_FALSE(beneath[Promise::hold]);
+  REQUIRE(beneath.first);
+  CHECK(beneath.first->what == Promise::stands);
+  CHECK(beneath.first->within == Approx(2));
+  const Accuracy falls = accuracy_of(on_square({{1, 1}, {3, 1}, {1, 3}}));
+  CHECK_FALSE(falls.first);
+}
+
+TEST_CASE("a capacity ends where a load exceeds it, with all robots off in the worst sense",
+          "[accuracy]") {
+  Document document = on_square({{0, 3}, {10, 3}, {5, 10}});
+  document.settings.weight = 100;
+  document.shown.capacity = 40;
+  const Accuracy all = accuracy_of(document);
+  REQUIRE(all[Promise::capacity]);
+  const double within = *all[Promise::capacity];
+  // By hand: the lower two move up or down by `within`, or the upper one sideways.
+  const auto greatest = [&](double a, double b, double c) {
+    const Placement moved = placed(on_square({{0, 3 + a}, {10, 3 + b}, {5 + c, 10}}));
+    return moved.loads->max;
+  };
+  double most = 0;
+  for (const double a : {-within, within})
+    for (const double b : {-within, within})
+      for (const double c : {-within, within}) most = std::max(most, greatest(a, b, c));
+  CHECK(most == Approx(40).epsilon(0.01));
+}
+
+TEST_CASE("robots with a size may be off until they have no room, or are too near",
+          "[accuracy][stands]") {
+  Document document = on_square({{5, 0}, {10, 5}, {5, 10}, {0, 5}});
+  document.settings.robot.radius = 1;
+  document.settings.no_go = {{0, 0.6, 0.7}};
+  const Accuracy beside_no_go = accuracy_of(document);
+  REQUIRE(beside_no_go[Promise::fits]);
+  CHECK(*beside_no_go[Promise::fits] == Approx(1));
+  document.settings.no_go.clear();
+  document.settings.supports = {{4, 0}, {7, 0}, {5, 10}, {0, 5}};
+  const Accuracy too_near = accuracy_of(document);
+  CHECK(*too_near[Promise::fits] == Approx(0.5));
+  CHECK(too_near.first->robots == std::vector<std::size_t>{0, 1});
+  CHECK_FALSE(too_near.first->edge);
+}
+
+TEST_CASE("searches keep the accuracy that is asked for", "[accuracy][slow]") {
+  int reached = 0;
+  for (const char* name : {"grand-piano", "letter-e", "star", "arrow", "bracket"})
+    for (const double accuracy : {4.0, 25.0})
+      for (const Method method : {Method::area, Method::balanced}) {
+        INFO(name << ", " << accuracy);
+        Document document = corpus::polygon(name);
+        document.settings.method = method;
+        document.settings.goal = Goal::hold;
+        document.settings.positions = Positions::range;
+        document.settings.robot = {20, 5, 0, 10, 5};
+        document.settings.accuracy = accuracy;
+        const auto placement = place(document);
+        if (!placement || placement->teams.empty()) continue;
+        const Accuracy all = evenlift::accuracy({*placement, document.shown});
+        const double near = 10 * near_distance(placement->polygon().diameter());
+        if (all[Promise::fits]) CHECK(*all[Promise::fits] >= accuracy - near);
+        if (!placement->goal_reached) continue;
+        ++reached;
+        if (all[Promise::hold]) CHECK(*all[Promise::hold] >= accuracy - near);
+      }
+  CHECK(reached > 8);
+}
+
+TEST_CASE("an accuracy that leaves no room is refused", "[accuracy][errors]") {
+  Document document = on_square({});
+  document.settings.supports.clear();
+  document.settings.method = Method::balanced;
+  document.settings.accuracy = 6;
+  const auto refused = place(document);
+  REQUIRE_FALSE(refused.ok());
+  CHECK(refused.error().message == "no edge has room for robots that may be off by 6");
+}
+
+TEST_CASE("how far robots may be off is told in a sentence", "[accuracy][words]") {
+  Document document = on_square(held_square);
+  const auto words = [&] {
+    const Placement placement = placed(document);
+    return plainly(accuracy_in_words({placement, document.shown}));
+  };
+  CHECK(words() == "All of this holds if robots stand within 1.9 of their places.");
+  document.settings.accuracy = 1;
+  CHECK(words() ==
+        "With robots off by up to 1 all of this still holds; robot 1 then carries up to about "
+        "33.4 kg.");
+  document.settings.accuracy = 3;
+  CHECK(words() == "With robots off by 1.9 or more, the robots may no longer hold it.");
+  const Placement placement = placed(document);
+  CHECK(judge({placement, document.shown}).kind == VerdictKind::warning);
+}
+
+TEST_CASE("an object on the tipping line does not stand clearly", "[accuracy][verdict]") {
+  // C is at (5, 5); with a clearance of 2 % of R it must be 0.14 inside.
+  const auto upright = [](double y) {
+    const Document document = on_square({{0, y}, {10, y}, {10, 10}, {0, 10}});
+    const Placement placement = placed(document);
+    return is_upright({placement, document.shown});
+  };
+  CHECK(upright(4.8));
+  CHECK_FALSE(upright(4.9));
+  CHECK_FALSE(upright(5));
+  const Document document = on_square({{0, 4.9}, {10, 4.9}, {10, 10}, {0, 10}});
+  const Placement placement = placed(document);
+  const Judgement judgement = judge({placement, document.shown});
+  CHECK(judgement.kind == VerdictKind::warning);
+  CHECK(plainly(judgement.reasons.front()) ==
+        "C is only 0.099 inside the line from robot 1 to robot 2.");
+  const auto conditions = read_conditions("upright, within>=0.05, within>=1");
+  REQUIRE(conditions.ok());
+  const auto checked = check_conditions({placement, document.shown}, *conditions);
+  CHECK_FALSE(checked[0].kept);
+  CHECK(checked[1].kept);
+  CHECK_FALSE(checked[2].kept);
+}
