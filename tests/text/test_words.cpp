@@ -57,12 +57,11 @@ TEST_CASE("the verdict is a few plain sentences", "[words]") {
   Placement placement = three_teams();
   CHECK(verdict(placement) ==
         "6 robots carry 15.2–18.1\u00A0kg each (100\u00A0kg in all). It can still turn clockwise. "
-        "81\u00A0% of the object can be pressed down on without tipping it. All of this holds if "
-        "robots stand within 3 of their places.");
+        "81\u00A0% of the object can be pressed down on without tipping it.");
   placement.coverage = 0.4;
   CHECK(
       plainly(detail_in_words(placement)) ==
-      "Only 40 % of the object, less than half, can be pressed down on without tipping it. It can still turn clockwise. All of this holds if robots stand within 3 of their places.");
+      "Only 40 % of the object, less than half, can be pressed down on without tipping it. It can still turn clockwise.");
   placement.requested_teams = 5;
   placement.loads = LoadSummary{16.66, 16.66, 16.66, 0, 0.5};
   CHECK(plainly(loads_in_words(placement)) == "6 robots carry 16.7 kg each (100 kg in all).");

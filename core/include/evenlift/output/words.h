@@ -158,7 +158,8 @@ bool is_held(const Placement& placement);
 inline constexpr double good_coverage = 0.5;
 
 // Returns the text that follows loads_in_words(): the shortage, that C is near the edge of the base,
-// the coverage, the hold, and how far robots may be off. The hold comes before the coverage if only
+// the coverage, the hold, and how far robots may be off if all is
+// well or an accuracy is asked for. The hold comes before the coverage if only
 // the hold is a problem.
 std::string detail_in_words(const ShownPlacement& of);
 

@@ -134,8 +134,10 @@ std::string fragile_hold_in_words(const ShownPlacement& of) {
   HoldRequirements hold = hold_requirements(of.placement);
   hold.tolerance = 0;
   if (is_firm(of.placement.polygon(), clearance, hold))
-    return say("It is held only as long as robots stand within {distance} of their places.",
-               {promised_length(clearance.tolerance, of.shown.units)});
+    return clearance.tolerance > near_distance(of.placement.polygon().diameter())
+               ? say("It is held only as long as robots stand within {distance} of their places.",
+                     {promised_length(clearance.tolerance, of.shown.units)})
+               : say("It is held only as long as robots stand exactly.");
   return say(
       "It is held only as long as robot {robot} stands accurately: it is only {distance} from a "
       "corner.",
@@ -402,7 +404,10 @@ std::string detail_in_words(const ShownPlacement& of) {
   const Placement& placement = of.placement;
   const std::string coverage = coverage_in_words(placement), closure = closure_in_words(of);
   // A press matters only where the object stays without one. Problems come first.
-  const std::string accuracy = accuracy_in_words(of);
+  // Where there is a problem, there is little room: the facts say how far robots may be off.
+  const bool is_well = is_held(placement) && placement.coverage >= good_coverage;
+  const bool is_asked = placement.settings.accuracy.value_or(0) > 0;
+  const std::string accuracy = is_well || is_asked ? accuracy_in_words(of) : std::string();
   if (tips_when_disturbed(of)) return joined({shortage_in_words(placement), closure, accuracy});
   const bool closure_first = !is_held(placement) && placement.coverage >= good_coverage;
   return joined({shortage_in_words(placement), upright_in_words(of),
