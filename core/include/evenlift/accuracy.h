@@ -32,7 +32,8 @@ struct Accuracy {
 
   // The lengths within which all robots must stand for each promise: if all are off by less, in any
   // combination, it is kept. Empty if it is not kept even without errors, or if no error ends it.
-  // `fits` is safe, not sharp, and so is `stands`. `capacity` is computed to first order, and with
+  // `fits` is safe, not sharp, and so is `stands`, except that the tilt by uneven heights is taken as
+  // that without errors. `capacity` is computed to first order, and with
   // all robots off in the worst sense for each load, so it is about right.
   std::array<std::optional<double>, promise_count> within;
 

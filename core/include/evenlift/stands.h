@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -92,6 +93,17 @@ class Stands {
     bool empty() const { return first == last; }
   };
   Stretches room(std::uint32_t edge) const { return room_.of(edge); }
+
+  // How far a robot at the distance t along an edge may go along the outline before its room ends,
+  // towards the edge's end (`on`) or begin. Room goes on past vertices that turn little, or past all
+  // of them (`past_corners`). Infinite if it does not end within `most`. O(the parts that it passes).
+  struct Way {
+    double length = 0;
+    std::optional<std::size_t> vertex;  // the corner or notch where it ends
+  };
+  Way way_to_end(const Polygon& polygon, std::uint32_t edge, double t, bool on, bool past_corners,
+                 double most = std::numeric_limits<double>::infinity()) const;
+
   Stretches usable(std::uint32_t edge) const { return usable_.of(edge); }
   // The unusable parts, edge after edge, in ascending order. If several reasons apply, a part has
   // the first in the order of WhyUnusable. The pieces of 2 tau L at vertices are not listed.
@@ -142,6 +154,7 @@ class Stands {
     }
   };
   Parts usable_parts(const Polygon& polygon, const StandReserve& reserve) const;
+  std::vector<double> drifts(const Polygon& polygon, double accuracy) const;
 
   RobotSize robot_;
   double near_ = 0;

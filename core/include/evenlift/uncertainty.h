@@ -95,7 +95,7 @@ struct LoadChanges {
 // = I - A (A'A)^-1 A', and A has a row [1, x_j, y_j] for each robot j that carries load. P
 // subtracts from the errors the plane that fits them best. P is 0 if only three robots, not on one
 // line, carry load. Without a give, the change has no bound where the sum is not 0. O(m log m + m h)
-// for h corners of H, O(h m log m) for the least loads, and O(m^2) more if heights are off.
+// for h corners of H, seldom more for the least loads, and O(m^2) more if heights are off.
 LoadChanges load_changes(const Points& robots, const Vec2& centre, double diameter, double weight,
                          const SpringLoads& springs, const Disturbance& disturbance);
 

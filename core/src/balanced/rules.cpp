@@ -82,7 +82,8 @@ std::uint64_t Rules::steps_of(const RatedSet& set) const {
   const std::uint64_t robots = set.robots.size();
   constexpr std::uint64_t of_coarse_cover = 8;
   return 1 + robots / 8 + (set.hull ? robots + robots * robots / 64 + of_coarse_cover : 0) +
-         (set.steady ? 40 * robots : 0) + (set.level ? 2 * robots : 0) + set.steps_of_coverage;
+         (set.steady ? 40 * robots : 0) + (set.level ? (set.level->tested ? 60 : 2) * robots : 0) +
+         set.steps_of_coverage;
 }
 
 std::uint32_t Rules::near_pairs(const std::vector<LiftingPoint>& robots, std::size_t number,
@@ -117,7 +118,7 @@ int Rules::steady(RatedSet& set) const {
 
 std::uint32_t Rules::level(RatedSet& set) const {
   if (!set.level) set.level = margins_.level_of(contact_points(room_.get(), set.robots));
-  return *set.level;
+  return set.level->level;
 }
 
 const SmallHull& Rules::hull(RatedSet& set) const {

@@ -26,7 +26,7 @@ struct RatedSet {
   std::vector<LiftingPoint> robots;
   std::uint32_t near_pairs = 0;
   std::optional<int> steady;
-  std::optional<std::uint32_t> level;
+  std::optional<Margins::Level> level;
   std::optional<SmallHull> hull;
   std::optional<double> coverage, spread;
   std::uint64_t steps_of_coverage = 0;  // cover.h

@@ -53,19 +53,13 @@ std::vector<NearestVertex> nearest_vertices(const Polygon& polygon,
   return nearest;
 }
 
-// Without `corners`, looks for the nearest one.
-Contact contact_on(const Polygon& polygon, const Corners* corners, const Vec2& p,
-                   std::uint32_t edge, std::uint32_t point) {
-  return {p, edge, point,
-          corners ? corners->distance_to(p, edge) : distance_to_corner(polygon, p, edge)};
-}
-
 std::vector<Contact> contacts_of(const Polygon& polygon, const std::vector<LiftingPoint>& points,
                                  const std::vector<NearestVertex>& nearest,
-                                 const Corners* corners) {
+                                 const Corners& corners) {
   std::vector<Contact> contacts;
   const auto add = [&](const Vec2& p, std::size_t edge, std::uint32_t point) {
-    contacts.push_back(contact_on(polygon, corners, p, static_cast<std::uint32_t>(edge), point));
+    const auto on = static_cast<std::uint32_t>(edge);
+    contacts.push_back({p, on, point, corners.distance_to(p, on)});
   };
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     if (points[i].edge == beneath) continue;
@@ -126,7 +120,7 @@ std::vector<Contact> ContactFinder::find(const std::vector<LiftingPoint>& points
     nearest.push_back({polygon_, point.position, near_});
     each_vertex_near(point.position, [&](std::uint32_t v) { nearest.back().add(v); });
   }
-  return contacts_of(polygon_, points, nearest, &corners_);
+  return contacts_of(polygon_, points, nearest, corners_);
 }
 
 Vec2 inward_normal(const Polygon& polygon, std::uint32_t edge) {
@@ -145,7 +139,7 @@ Vec2 inward_normal(const Vec2& from, const Vec2& to, bool counter_clockwise) {
 std::vector<Contact> contacts(const Polygon& polygon, const std::vector<LiftingPoint>& points) {
   if (points.size() > few_points) return ContactFinder(polygon).find(points);
   const double near = near_distance(polygon.diameter());
-  return contacts_of(polygon, points, nearest_vertices(polygon, points, near), nullptr);
+  return contacts_of(polygon, points, nearest_vertices(polygon, points, near), Corners(polygon));
 }
 
 }  // namespace evenlift

@@ -7,6 +7,8 @@
 
 #include "evenlift/tolerance.h"
 #include "exact/sorted_indices.h"
+#include "grasp/grasp.h"
+#include "polygon/outline_walk.h"
 
 namespace evenlift {
 namespace {
@@ -38,38 +40,22 @@ Wrench HoldErrors::wrench_at(const Vec2& position, std::uint32_t edge) const {
   return {n.x, n.y, cross(position - centre_, n) / radius_};
 }
 
-// Follows the outline in both directions. On each edge that it reaches, the distance is greatest at
-// one of the ends of the part within reach.
+// On each part of an edge within reach, the distance is greatest at one of the ends. Where the
+// normal does not turn, a robot changes its moment by no more than its way.
 double HoldErrors::beside(const Push& push, double error) const {
   if (push.contact.in_notch) return 0;
   const double moment = error / radius_;
   double greatest = 0;
-  const auto look_at = [&](const Vec2& position, std::size_t edge) {
-    const Wrench from = wrench_at(position, static_cast<std::uint32_t>(edge)) - push.wrench;
-    const double higher = std::max(0.0, std::fabs(from.z) - moment);
-    greatest = std::max(greatest, length(Wrench(from.x, from.y, higher)));
-  };
-  const auto follow = [&](bool on) {
-    std::size_t edge = push.contact.edge;
-    Vec2 at = push.contact.position;
-    double left = error;
-    bool on_own_side = true;
-    for (std::size_t passed = 0; passed < polygon_.size() && greatest < most_margin; ++passed) {
-      const std::size_t end = on ? polygon_.next(edge) : edge;
-      const double way = length(polygon_.vertex(end) - at);
-      if (!on_own_side && left < way)
-        look_at(at + (left / way) * (polygon_.vertex(end) - at), edge);
-      if (left < way) return;
-      if (!on_own_side) look_at(polygon_.vertex(end), edge);
-      left -= way;
-      at = polygon_.vertex(end);
-      edge = on ? end : polygon_.previous(edge);
-      on_own_side = on_own_side && polygon_.turn(end) == Turn::straight;
-      if (!on_own_side) look_at(at, edge);
-    }
-  };
-  follow(true);
-  follow(false);
+  walk_outline(polygon_, push.contact.position, push.contact.edge, error,
+               [&](std::uint32_t edge, const Vec2& from, const Vec2& to) {
+                 for (const Vec2& position : {from, to}) {
+                   const Wrench change = wrench_at(position, edge) - push.wrench;
+                   if (length(Vec2(change.x, change.y)) <= tau) break;
+                   const double higher = std::max(0.0, std::fabs(change.z) - moment);
+                   greatest = std::max(greatest, length(Wrench(change.x, change.y, higher)));
+                 }
+                 return greatest < most_margin;
+               });
   return greatest;
 }
 
@@ -86,22 +72,42 @@ std::vector<HoldErrors::Reached> HoldErrors::reached(double error) const {
   return ordered;
 }
 
-double HoldErrors::margin(const std::vector<Reached>& all, double most_beside, double turn) const {
-  std::vector<Wrench> wrenches;
-  for (const auto& [push, distance] : all) {
-    if (distance > most_beside) continue;
-    wrenches.push_back(push->wrench);
-    if (!push->contact.in_notch) wrenches.back().z += turn;
-  }
-  return wrenches.empty() ? -1 : wrench_margin(wrenches);
+// With all moments raised, and with all lowered. Of contacts with one normal the outermost count.
+double HoldErrors::least_margin(const std::vector<Reached>& all, double most_beside,
+                                double error) const {
+  std::vector<Contact> free, exact;
+  for (const auto& [push, distance] : all)
+    if (distance <= most_beside) (push->contact.in_notch ? exact : free).push_back(push->contact);
+  const auto wrenches_of = [&](const std::vector<Contact>& contacts) {
+    return wrenches(make_grasp(polygon_, centre_, radius_, contacts));
+  };
+  const std::vector<Wrench> kept = wrenches_of(exact), moving = wrenches_of(free);
+  if (kept.empty() && moving.empty()) return -1;
+  const auto margin = [&](double turn) {
+    std::vector<Wrench> moved = kept;
+    for (const Wrench& wrench : moving) moved.push_back(wrench + Wrench(0, 0, turn));
+    return wrench_margin(moved);
+  };
+  const double raised = margin(error / radius_);
+  return raised > 0 ? std::min(raised, margin(-error / radius_)) : raised;
+}
+
+// Whether no contact pushes along a direction once all moments are changed in the worse sense.
+bool HoldErrors::is_lost_along(const Wrench& direction, double error) const {
+  const double less = std::fabs(direction.z) * error / radius_;
+  return std::none_of(pushes_.begin(), pushes_.end(), [&](const Push& push) {
+    return push.contact.to_corner > error &&
+           dot(push.wrench, direction) - (push.contact.in_notch ? 0 : less) > 0;
+  });
 }
 
 // The margin falls with the contacts that it counts, so no x is tried that is not below the margin
 // with larger ones.
-bool HoldErrors::hold_within(double error, double known) const {
+bool HoldErrors::hold_within(double error, const WeakestDirection& known) const {
+  if (is_lost_along(known.direction, error)) return false;
   const std::vector<Reached> all = reached(error);
   const double turn = error / radius_;
-  if (known > turn + tau && !all.empty() && all.back().beside == 0) return true;
+  if (!all.empty() && known.margin > turn + all.back().beside + tau) return true;
   double below = std::numeric_limits<double>::infinity();
   while (true) {
     const auto end =
@@ -109,7 +115,7 @@ bool HoldErrors::hold_within(double error, double known) const {
                          [](const Reached& each, double bound) { return each.beside < bound; });
     if (end == all.begin()) return false;
     const double x = (end - 1)->beside;
-    const double least = std::min(margin(all, x, turn), margin(all, x, -turn));
+    const double least = least_margin(all, x, error);
     if (least > x) return true;
     if (least <= 0) return false;
     below = least;
@@ -121,7 +127,7 @@ bool HoldErrors::hold_without_others() const {
   std::vector<Reached> exact;
   for (const Push& push : pushes_)
     if (push.contact.in_notch) exact.push_back({&push, 0});
-  return margin(exact, 0, 0) > 0;
+  return least_margin(exact, 0, 0) > 0;
 }
 
 // From small errors on, within which few vertices are.

@@ -16,10 +16,11 @@ class HoldErrors {
   HoldErrors(const Polygon& polygon, const Vec2& centre, double radius,
              const std::vector<Contact>& contacts);
 
-  // Whether form closure surely persists if all robots are off by up to `error`. `margin` is a lower
-  // bound of the margin of the contacts farther than that from corners; with it the answer is found
-  // at once where no robot can reach a bend.
-  bool hold_within(double error, double margin = 0) const;
+  // Whether form closure surely persists if all robots are off by up to `error`. `known` is the
+  // margin of some of the contacts farther than that from corners, and its direction. With it the
+  // answer is mostly found at once: the margin is large enough, or the moments alone end the hold in
+  // that direction.
+  bool hold_within(double error, const WeakestDirection& known = {}) const;
 
   // The supremum of the errors within which form closure persists; infinite if there is none.
   double tolerance() const;
@@ -38,7 +39,8 @@ class HoldErrors {
   Wrench wrench_at(const Vec2& position, std::uint32_t edge) const;
   double beside(const Push& push, double error) const;
   std::vector<Reached> reached(double error) const;
-  double margin(const std::vector<Reached>& all, double most_beside, double turn) const;
+  bool is_lost_along(const Wrench& direction, double error) const;
+  double least_margin(const std::vector<Reached>& all, double most_beside, double error) const;
 
   const Polygon& polygon_;
   Vec2 centre_;

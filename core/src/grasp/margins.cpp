@@ -25,16 +25,19 @@ std::optional<double> Margins::of(const std::vector<LiftingPoint>& points) const
   return wrench_margin(all);
 }
 
-bool Margins::are_firm(const std::vector<LiftingPoint>& points, double margin) const {
+bool Margins::are_firm(const std::vector<LiftingPoint>& points,
+                       const WeakestDirection& margin) const {
   const double error = hold_.tolerance - near_distance(polygon_.diameter());
   return error <= 0 || HoldErrors(polygon_, centre_, radius_, finder_.find(points))
-                           .hold_within(error, hold_.clear > error ? margin : 0);
+                           .hold_within(error, hold_.clear > error ? margin : WeakestDirection{});
 }
 
-std::uint32_t Margins::level_of(const std::vector<LiftingPoint>& points) const {
-  const std::optional<double> margin = of(points);
-  const std::uint32_t level = evenlift::level_of(margin, level_bounds(hold_.min_margin));
-  return level > 0 && are_firm(points, *margin) ? level : 0;
+Margins::Level Margins::level_of(const std::vector<LiftingPoint>& points) const {
+  const std::vector<Wrench> all = wrenches_of(points);
+  if (all.empty()) return {};
+  const WeakestDirection margin = weakest_direction(all);
+  const std::uint32_t level = evenlift::level_of(margin.margin, level_bounds(hold_.min_margin));
+  return {level > 0 && are_firm(points, margin) ? level : 0, level > 0};
 }
 
 }  // namespace evenlift

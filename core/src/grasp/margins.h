@@ -29,10 +29,15 @@ class Margins {
   // Whether robots at these points, which have this margin, still hold the object if they are off
   // by `hold.tolerance`, within tau L. O(m log n), plus the cost of holds_within() (closure.h) if
   // the margin is small or a bend is near.
-  bool are_firm(const std::vector<LiftingPoint>& points, double margin) const;
+  bool are_firm(const std::vector<LiftingPoint>& points, const WeakestDirection& margin) const;
 
-  // The level of these robots' margin (hold_levels.h); 0 if they are not firm.
-  std::uint32_t level_of(const std::vector<LiftingPoint>& points) const;
+  // The level of these robots' margin (hold_levels.h); 0 if they are not firm. `tested` says whether
+  // that was in question.
+  struct Level {
+    std::uint32_t level = 0;
+    bool tested = false;
+  };
+  Level level_of(const std::vector<LiftingPoint>& points) const;
 
  private:
   const Polygon& polygon_;

@@ -43,8 +43,7 @@ class Room {
       : polygon_(placement.polygon()),
         stands_(*placement.stands),
         robots_(lifting_points(placement.teams)),
-        drifts_(drifts),
-        near_(near_distance(polygon_.diameter())) {}
+        drifts_(drifts) {}
 
   std::optional<First> first() const {
     First first{Promise::fits, infinite, {}, {}};
@@ -57,9 +56,15 @@ class Room {
   }
 
  private:
+  // A body does not come round a corner.
   double along(std::size_t robot) const {
-    if (robots_[robot].edge == beneath || drifts_[robot].is_fixed()) return infinite;
-    return std::min(along(robot, true), along(robot, false));
+    const LiftingPoint& point = robots_[robot];
+    if (point.edge == beneath || drifts_[robot].is_fixed()) return infinite;
+    const auto way = [&](bool on) {
+      return stands_.way_to_end(polygon_, point.edge, stands_.along(point), on, !stands_.has_body())
+          .length;
+    };
+    return std::min(way(true), way(false));
   }
 
   // Of robots whose contacts are farther apart along the x axis than this, none is first.
@@ -83,28 +88,6 @@ class Room {
       }
   }
 
-  // Follows the usable parts in one direction. A body does not come round a corner.
-  double along(std::size_t robot, bool on) const {
-    std::uint32_t edge = robots_[robot].edge;
-    double at = stands_.along(robots_[robot]), way = 0;
-    for (std::size_t passed = 0; passed < polygon_.size(); ++passed) {
-      const auto parts = stands_.room(edge);
-      const Stretch* part = std::find_if(parts.begin(), parts.end(), [&](const Stretch& each) {
-        return at >= each.from - 3 * near_ && at <= each.to + 3 * near_;
-      });
-      if (part == parts.end()) return way;
-      way += std::max(0.0, on ? part->to - at : at - part->from);
-      const double size = length(polygon_.edge_end(edge) - polygon_.edge_start(edge));
-      if (on ? part->to < size - 3 * near_ : part->from > 3 * near_) return way;
-      const std::size_t vertex = on ? polygon_.next(edge) : edge;
-      if (stands_.has_body() && (polygon_.is_corner(vertex) || polygon_.is_notch(vertex)))
-        return way;
-      edge = static_cast<std::uint32_t>(on ? vertex : polygon_.previous(edge));
-      at = on ? 0 : length(polygon_.edge_end(edge) - polygon_.edge_start(edge));
-    }
-    return infinite;
-  }
-
   double between(std::size_t i, std::size_t j, double most) const {
     const double room = std::max(0.0, stands_.room_between(robots_[i], robots_[j]));
     const RobotDrift &a = drifts_[i], &b = drifts_[j];
@@ -121,7 +104,6 @@ class Room {
   const Stands& stands_;
   std::vector<LiftingPoint> robots_;
   const std::vector<RobotDrift>& drifts_;
-  double near_;
 };
 
 std::optional<First> until_misfit(const Placement& placement,
@@ -199,7 +181,7 @@ class Overload {
   bool is_overloaded() const { return !overloaded_robots(of_, ends_).empty(); }
 
   // The greatest load if all robots are off by `error`: of those that are greatest to first order,
-  // also computed anew.
+  // also computed again.
   Accuracy::Greatest greatest(double error) const {
     std::vector<double> linear;
     for (std::size_t i = 0; i < robots_.size(); ++i)
@@ -207,7 +189,7 @@ class Overload {
     const auto order = sorted_indices(
         linear.size(), [&](std::uint32_t a, std::uint32_t b) { return linear[a] > linear[b]; });
     Accuracy::Greatest greatest{order.front(), linear[order.front()]};
-    for (std::size_t k = 0; k < order.size() && k < most_anew; ++k) {
+    for (std::size_t k = 0; k < order.size() && k < most_exact; ++k) {
       const std::size_t i = order[k];
       const double load = ends_[i] - planned_[i] + this->load(i, error);
       if (load > greatest.load && std::isfinite(load)) greatest = {i, load};
@@ -215,7 +197,7 @@ class Overload {
     return greatest;
   }
 
-  // First to first order, then anew for those that are first by that.
+  // First to first order, then again for those that are first by that.
   std::optional<First> first() const {
     std::vector<double> linear(robots_.size(), infinite);
     for (std::size_t i = 0; i < robots_.size(); ++i)
@@ -228,7 +210,7 @@ class Overload {
     for (std::size_t k = 0; k < order.size() && linear[order[k]] < infinite; ++k) {
       const std::size_t i = order[k];
       double within = linear[i];
-      if (k < most_anew)
+      if (k < most_exact)
         within = last_that(within, [&](double error) {
           return ends_[i] - planned_[i] + load(i, error) <= limits_[i] * (1 + tau);
         });
@@ -239,7 +221,7 @@ class Overload {
   }
 
  private:
-  static constexpr std::size_t most_anew = 16;
+  static constexpr std::size_t most_exact = 16;
 
   double load(std::size_t i, double error) const {
     const Points places = errors_.worst_places(i, error);
@@ -266,17 +248,8 @@ std::optional<First> until_overload(const ShownPlacement& of, const Overload& ov
 }  // namespace
 
 std::string_view name(Promise promise) {
-  switch (promise) {
-    case Promise::fits:
-      return "fits";
-    case Promise::stands:
-      return "stands";
-    case Promise::hold:
-      return "hold";
-    case Promise::capacity:
-      return "capacity";
-  }
-  return {};
+  constexpr std::array<std::string_view, promise_count> names{"fits", "stands", "hold", "capacity"};
+  return names[static_cast<std::size_t>(promise)];
 }
 
 Accuracy accuracy(const ShownPlacement& of) {

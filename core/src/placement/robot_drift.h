@@ -21,9 +21,6 @@ class RobotDrift {
   bool is_fixed() const { return in_notch_; }
 
  private:
-  // The greatest length of the difference of the normals within `error`.
-  double turn(double error) const;
-
   const Polygon& polygon_;
   LiftingPoint contact_;
   bool in_notch_;

@@ -4,40 +4,6 @@
 #include <limits>
 
 namespace evenlift {
-namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-std::size_t end_of_run(const Polygon& polygon, std::size_t vertex) {
-  while (polygon.turn(vertex) == Turn::straight) vertex = polygon.next(vertex);
-  return vertex;
-}
-
-std::size_t begin_of_run(const Polygon& polygon, std::size_t vertex) {
-  while (polygon.turn(vertex) == Turn::straight) vertex = polygon.previous(vertex);
-  return vertex;
-}
-
-// From the end of a run; `next` is the other end of the run beyond a vertex. The lengths are added
-// from the corner on, like those of Corners.
-template <class Next>
-double way_to_corner(const Polygon& polygon, std::size_t from, const Next& next) {
-  std::vector<double> lengths;
-  std::size_t at = from;
-  while (!polygon.is_corner(at)) {
-    if (polygon.is_notch(at)) return infinite;
-    const std::size_t beyond = next(at);
-    lengths.push_back(length(polygon.vertex(beyond) - polygon.vertex(at)));
-    at = beyond;
-    if (at == from) return infinite;
-  }
-  double way = 0;
-  for (auto each = lengths.rbegin(); each != lengths.rend(); ++each) way = *each + way;
-  return way;
-}
-
-}  // namespace
-
 // Begins after a vertex that turns; every polygon has one.
 Corners::Corners(const Polygon& polygon)
     : polygon_(polygon),
@@ -46,9 +12,10 @@ Corners::Corners(const Polygon& polygon)
       is_corner_(polygon.size()),
       begin_(polygon.size()),
       end_(polygon.size()),
-      back_(polygon.size(), infinite),
-      on_(polygon.size(), infinite) {
-  const std::size_t first = end_of_run(polygon, 0);
+      back_(polygon.size(), std::numeric_limits<double>::infinity()),
+      on_(polygon.size(), std::numeric_limits<double>::infinity()) {
+  std::size_t first = 0;
+  while (polygon.turn(first) == Turn::straight) ++first;
   std::vector<std::uint32_t> ends, run;
   std::size_t begin = first;
   do {
@@ -85,17 +52,6 @@ double Corners::distance_to(const Vec2& point, std::uint32_t edge) const {
   const std::uint32_t begin = begin_[edge], end = end_[edge];
   return std::min(length(polygon_.vertex(begin) - point) + back_[begin],
                   length(polygon_.vertex(end) - point) + on_[end]);
-}
-
-double distance_to_corner(const Polygon& polygon, const Vec2& point, std::uint32_t edge) {
-  const std::size_t begin = begin_of_run(polygon, edge),
-                    end = end_of_run(polygon, polygon.next(edge));
-  const double back = way_to_corner(
-      polygon, begin, [&](std::size_t v) { return begin_of_run(polygon, polygon.previous(v)); });
-  const double on = way_to_corner(
-      polygon, end, [&](std::size_t v) { return end_of_run(polygon, polygon.next(v)); });
-  return std::min(length(polygon.vertex(begin) - point) + back,
-                  length(polygon.vertex(end) - point) + on);
 }
 
 }  // namespace evenlift

@@ -24,7 +24,9 @@ class Corners {
   // Whether the vertex is a corner (Polygon::is_corner). O(1).
   bool is_corner(std::uint32_t vertex) const { return is_corner_[vertex]; }
 
-  // The same as distance_to_corner(). O(1).
+  // The distance along the outline from a point on an edge to the nearest corner, in either direction
+  // and past vertices that turn little; infinite if there is none, or none before the next notch
+  // (Polygon::is_notch). O(1).
   double distance_to(const Vec2& point, std::uint32_t edge) const;
 
  private:
@@ -40,10 +42,5 @@ class Corners {
   std::vector<double> back_,
       on_;  // from the end of a run to the nearest corner before and after it
 };
-
-// The distance along the outline from a point on an edge to the nearest corner, in either direction
-// and past vertices that turn little; infinite if there is none, or none before the next notch
-// (Polygon::is_notch). O(1) if the runs beside the edge's end at corners, else O(n) at worst.
-double distance_to_corner(const Polygon& polygon, const Vec2& point, std::uint32_t edge);
 
 }  // namespace evenlift

@@ -1,5 +1,7 @@
 // The worst and the least loads with C anywhere within reach.
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "evenlift/hull.h"
 #include "evenlift/load_models.h"
@@ -86,6 +88,24 @@ AroundC around(const Points& robots, const Vec2& centre, double unit) {
   return seen;
 }
 
+// The least distance of C from the line through the corners beside a corner of H and from the edges
+// of H, in multiples of the unit: if it is above 0, C is inside the hull of the other robots. By
+// corner; nothing if H has fewer than three. O(h).
+std::vector<double> room_without_corners(const Points& hull) {
+  const std::size_t h = hull.size();
+  if (h < 3) return {};
+  const auto left_of = [&](const Vec2& a, const Vec2& b) {
+    return cross(b - a, -a) / length(b - a);
+  };
+  double inside = left_of(hull[h - 1], hull[0]);
+  for (std::size_t i = 0; i + 1 < h; ++i) inside = std::min(inside, left_of(hull[i], hull[i + 1]));
+  std::vector<double> room;
+  room.reserve(h);
+  for (std::size_t i = 0; i < h; ++i)
+    room.push_back(std::min(inside, left_of(hull[(i + h - 1) % h], hull[(i + 1) % h])));
+  return room;
+}
+
 // The tolerance may leave C a little outside H.
 double within_hull(const AroundC& seen, double reach) {
   return std::max(reach / seen.unit, length(nearest_to_origin(seen.hull)));
@@ -112,10 +132,16 @@ std::optional<std::vector<double>> least_loads(const Points& robots, const Vec2&
   if (!support) return std::nullopt;
   const AroundC seen = around(robots, centre, support->unit);
   const double within = within_hull(seen, reach);
+  const std::vector<double> room = room_without_corners(seen.hull);
+  std::map<std::pair<double, double>, std::size_t> corners;
+  for (std::size_t k = 0; k < seen.hull.size(); ++k)
+    corners.emplace(std::pair(seen.hull[k].x, seen.hull[k].y), k);
   std::vector<double> loads(robots.size(), 0);
+  constexpr double surely = 1e-6;  // more than the hull's tolerance
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    // Without a robot that is no corner, H remains.
-    if (std::find(seen.hull.begin(), seen.hull.end(), seen.robots[i]) == seen.hull.end()) continue;
+    // Without a robot that is no corner, H remains; without most of the others, C is inside.
+    const auto corner = corners.find({seen.robots[i].x, seen.robots[i].y});
+    if (corner == corners.end() || (!room.empty() && room[corner->second] > surely)) continue;
     Points others = seen.robots;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
     const double share =

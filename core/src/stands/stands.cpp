@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "evenlift/tolerance.h"
-#include "stands/reserve.h"
 #include "stands/survey.h"
 
 namespace evenlift {
@@ -71,8 +70,7 @@ Stands::Stands(const PolygonWithHoles& object, const RobotSize& robot,
     }
     room_.begins.push_back(static_cast<std::uint32_t>(room_.parts.size()));
   }
-  if (has_body() && reserve.accuracy > 0)
-    drifts_ = drifts(polygon, std::max(robot.radius + robot.reach, robot.depth), reserve.accuracy);
+  if (has_body() && reserve.accuracy > 0) drifts_ = drifts(polygon, reserve.accuracy);
   usable_ = reserve.part > 0 || reserve.accuracy > 0 ? usable_parts(polygon, reserve) : room_;
 }
 

@@ -28,16 +28,21 @@ Vec2 or_vertex(const Polygon& polygon, std::uint32_t edge, const Vec2& point) {
 // A point this near the outline is on it but for rounding, and stays as given.
 double rounding_of(const Vec2& point) { return 0x1p-50 * max_norm(point); }
 
-// Rounds to three significant digits.
-std::string in_brief(double distance) {
-  constexpr std::uint64_t three_digits = 1000;
+// With few significant digits: the nearest such number, or the least that is not less.
+enum class Rounding : std::uint8_t { nearest, up };
+std::string rounded(double distance, std::uint64_t below, Rounding rounding) {
   Decimal decimal = shortest_decimal(distance);
   std::uint64_t unit = 1;
-  for (; decimal.digits / unit >= three_digits; ++decimal.exponent) unit *= 10;
-  decimal.digits = (decimal.digits + unit / 2) / unit;
+  for (; decimal.digits / unit >= below; ++decimal.exponent) unit *= 10;
+  decimal.digits = (decimal.digits + (rounding == Rounding::up ? unit - 1 : unit / 2)) / unit;
   const std::string text = std::to_string(decimal.digits) + "e" + std::to_string(decimal.exponent);
   return shortest(read_number(text).value_or(distance));
 }
+
+std::string in_brief(double distance) { return rounded(distance, 1000, Rounding::nearest); }
+
+// A snap distance of one digit that is at least this.
+std::string enough_for(double distance) { return rounded(distance, 10, Rounding::up); }
 
 InputError error_at(std::size_t number, std::string why) {
   return bad_setting(std::string(name(Setting::supports)) + "[" + std::to_string(number) + "]",
@@ -46,19 +51,6 @@ InputError error_at(std::size_t number, std::string why) {
 
 // A support within this many snap distances of the outline may be meant to stand at the edge.
 constexpr double nearly = 10;
-
-// A snap distance of one digit that is at least this.
-std::string enough_for(double distance) {
-  Decimal decimal = shortest_decimal(distance);
-  bool is_exact = true;
-  for (; decimal.digits >= 10; ++decimal.exponent) {
-    is_exact = is_exact && decimal.digits % 10 == 0;
-    decimal.digits /= 10;
-  }
-  const std::string text =
-      std::to_string(decimal.digits + (is_exact ? 0 : 1)) + "e" + std::to_string(decimal.exponent);
-  return shortest(read_number(text).value_or(distance));
-}
 
 std::string why_refused(const PolygonWithHoles& object, const SupportPlacer& placer,
                         const Vec2& support) {

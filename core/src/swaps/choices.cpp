@@ -66,7 +66,7 @@ bool Choices::fit(std::uint32_t candidate, std::uint32_t other) const {
 }
 
 HoldKeys Choices::keys_of(const Part& part) const {
-  return {margins_.level_of(contact_points(stands_, part.robots)),
+  return {margins_.level_of(contact_points(stands_, part.robots)).level,
           cover_.of(balanced::small_hull(part.robots, centre_), steps_), part.ratios};
 }
 
@@ -123,8 +123,9 @@ bool Choices::reaches(const Trial& trial, std::uint32_t level) {
   if (wrenches.empty()) return false;
   const WeakestDirection weakest = weakest_direction(wrenches);
   if (level_of(weakest.margin, bounds_) >= level) {
-    steps_ += 20 * wrenches.size();
-    return level == 0 || margins_.are_firm(points, weakest.margin);
+    if (level == 0) return true;
+    steps_ += 100 * wrenches.size();
+    return margins_.are_firm(points, weakest);
   }
   know(weakest.direction);
   return false;

@@ -26,23 +26,15 @@ std::string first_to_fail(const Accuracy::First& first) {
   return {};
 }
 
-const char* meaning(Promise first) {
-  switch (first) {
-    case Promise::fits:
-      return "All at once, each along its edge, except robots in inward corners: what is told "
-             "remains true. Farther off, a robot may have no room";
-    case Promise::stands:
-      return "All at once, each along its edge, except robots in inward corners: what is told "
-             "remains true. Farther off, the object may tip";
-    case Promise::hold:
-      return "All at once, each along its edge, except robots in inward corners: what is told "
-             "remains true. Farther off, the robots may no longer hold it";
-    case Promise::capacity:
-      break;
-  }
-  return "All at once, each along its edge, except robots in inward corners: what is told remains "
-         "true. Farther off, a robot may be overloaded";
-}
+constexpr std::array<const char*, promise_count> meanings{
+    "All at once, each along its edge, except robots in inward corners: what is told remains true. "
+    "Farther off, a robot may have no room",
+    "All at once, each along its edge, except robots in inward corners: what is told remains true. "
+    "Farther off, the object may tip",
+    "All at once, each along its edge, except robots in inward corners: what is told remains true. "
+    "Farther off, the robots may no longer hold it",
+    "All at once, each along its edge, except robots in inward corners: what is told remains true. "
+    "Farther off, a robot may be overloaded"};
 
 // The limit that is worth telling.
 const Accuracy::First* limit_of(const ShownPlacement& of, const Accuracy& accuracy) {
@@ -51,11 +43,17 @@ const Accuracy::First* limit_of(const ShownPlacement& of, const Accuracy& accura
   return is_told ? &*accuracy.first : nullptr;
 }
 
+// What ends within the accuracy that is asked for.
+std::string broken_in_words(const ShownPlacement& of, const Accuracy& all) {
+  if (all.keeps_asked(near_distance(of.placement.polygon().diameter()))) return {};
+  return say("With robots off by {distance} or more, {problem}.",
+             {promised_length(all.first->within, of.shown.units), first_to_fail(*all.first)});
+}
+
 // For the accuracy that is asked for.
 std::string with_asked(const ShownPlacement& of, const Accuracy& all) {
   const Units& units = of.shown.units;
-  if (!all.keeps_asked(near_distance(of.placement.polygon().diameter())))
-    return inaccuracy_in_words(of);
+  if (std::string broken = broken_in_words(of, all); !broken.empty()) return broken;
   const std::string asked = with_length_unit(plain(all.asked), units);
   if (!all.greatest)
     return say("With robots off by up to {distance} all of this still holds.", {asked});
@@ -68,10 +66,7 @@ std::string with_asked(const ShownPlacement& of, const Accuracy& all) {
 }  // namespace
 
 std::string inaccuracy_in_words(const ShownPlacement& of) {
-  const Accuracy all = accuracy(of);
-  if (all.keeps_asked(near_distance(of.placement.polygon().diameter()))) return {};
-  return say("With robots off by {distance} or more, {problem}.",
-             {promised_length(all.first->within, of.shown.units), first_to_fail(*all.first)});
+  return broken_in_words(of, accuracy(of));
 }
 
 std::string accuracy_in_words(const ShownPlacement& of) {
@@ -106,7 +101,7 @@ std::optional<Fact> accuracy_fact(const ShownPlacement& of) {
   const Accuracy::First* first = limit_of(of, all);
   if (!first) return std::nullopt;
   return Fact{"Robots may be off by", promised_length(first->within, of.shown.units),
-              meaning(first->what)};
+              meanings[static_cast<std::size_t>(first->what)]};
 }
 
 std::string upright_in_words(const ShownPlacement& of) {
