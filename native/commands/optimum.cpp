@@ -67,12 +67,12 @@ std::string candidates_in_words(const std::vector<std::uint32_t>& taken) {
 
 std::string verdict_on(const ChoiceToHold& to_hold) {
   if (to_hold.proved && to_hold.keys.level > 0)
-    return std::string("It holds the object, and it is the best of all choices by ") +
+    return std::string("It holds the object firmly, and it is the best of all choices by ") +
            (to_hold.compared ? "hold, coverage and load ratios." : "hold and coverage.");
-  if (to_hold.most_level == 0) return "No choice of this number of teams holds the object.";
+  if (to_hold.most_level == 0) return "No choice of this number of teams holds the object firmly.";
   if (to_hold.keys.level == 0)
-    return "It does not hold the object; it is not proved that no choice does.";
-  return std::string("It holds the object") +
+    return "It does not hold the object firmly; it is not proved that no choice does.";
+  return std::string("It holds the object firmly") +
          (to_hold.keys.level == to_hold.most_level
               ? ", and no choice has a greater margin. It is not proved to have the greatest coverage of such choices: none covers more than "
               : ". It is not proved to be the best: no choice covers more than ") +

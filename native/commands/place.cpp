@@ -31,7 +31,7 @@ std::string robot_table(const ShownPlacement& of, const ShownLoads& shown) {
   const bool given = placement.settings.method == Method::given;
   const bool has_own = has_own_capacities(of);
   const Team& team = placement.teams.front();
-  const TeamInWords words = team_in_words(placement, 0, coordinate_decimals(placement.vertices()));
+  const TeamInWords words = team_in_words(placement, 0, place_decimals(placement));
   std::vector<Row> rows = {{"robot", "at", shown.heading}};
   if (given) rows[0].insert(rows[0].begin() + 2, "stands");
   if (has_own) rows[0].push_back("capacity");
@@ -54,7 +54,7 @@ std::string team_table(const ShownPlacement& of, const ShownLoads& shown) {
   const Placement& placement = of.placement;
   const std::optional<double>& capacity = of.shown.capacity;
   if (is_one_team(placement.settings.method)) return robot_table(of, shown);
-  const int decimals = coordinate_decimals(placement.vertices());
+  const int decimals = place_decimals(placement);
   std::vector<Row> rows = {{"team", "ratio", "robot at", shown.heading, "robot at", shown.heading}};
   if (capacity) rows[0].push_back(shown.overloaded);
   for (std::size_t i = 0; i < placement.teams.size(); ++i) {

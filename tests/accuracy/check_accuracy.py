@@ -113,12 +113,12 @@ class Outline:
         return e, plus(self.at[e], self.along[e], t)
 
     def contacts(self, e, p):
-        """The inward normals at a place."""
+        """The inward normals at a place. Of a curve's bends, a robot touches one side or the other."""
         for v in (e, (e + 1) % self.n):
             if size(minus(p, self.at[v])) <= self.near:
-                sine, _ = self.turn(v)
-                if abs(sine) <= 1e-9:
-                    return [self.inward(v)]
+                sine, is_sharp = self.turn(v)
+                if abs(sine) <= 1e-9 or (sine > 0 and not is_sharp):
+                    return [self.inward(e)]
                 return [] if sine > 0 else [self.inward(v), self.inward(v - 1)]
         return [self.inward(e)]
 
@@ -352,21 +352,44 @@ class Check:
                 self.fail(f"hold within {limit!r} is kept by robots that are farther off", arguments)
         return found
 
-    def typed_back(self, arguments, found):
+    def survives(self, arguments):
+        """Whichever robots may fail, C stays inside the hull of the others, though they are off by the accuracy."""
+        found = self.run(arguments)
+        may_fail = found["robustness"]["failures_clear"] if found and found["teams"] else 0
+        if may_fail <= 0:
+            self.passed_over += 1
+            return
+        self.results += 1
+        result = Result(found)
+        most = found["accuracy"]["asked"] - SAFE * result.outline.scale
+        for k in range(4):
+            ways = [self.rng.uniform(-most, most) if k > 1 else self.rng.choice((-most, most)) for _ in result.places]
+            self.moves += 1
+            places = result.moved(ways, self.rng)
+            lifting = result.lifting(places)
+            for failed in itertools.combinations(range(len(lifting)), min(may_fail, 2)):
+                others = [p for i, p in enumerate(lifting) if i not in failed]
+                if depth(others, result.c) < -1e-12 * result.radius:
+                    self.fail(f"it falls if robots {failed} fail, and robots are off by {ways}", arguments)
+                    return
+
+    def typed_back(self, arguments, found, options=()):
         """The places as the table prints them, given as supports."""
-        text = self.run(arguments, is_json=False)
+        text = self.run([*arguments, *options], is_json=False)
         places = re.findall(r"^ +\d+ +\((-?[\d.,]+), (-?[\d.,]+)\)", text, re.M)
         if len(places) != len(found["robots"]):
             return
         self.typed += 1
         supports = " ".join(f"{x},{y}" for x, y in places)
-        again = self.run([arguments[0], "--supports", supports])
+        again = self.run([arguments[0], "--supports", supports, *options])
         if again is None:
             self.fail("places typed back are refused", [arguments[0], "--supports", supports])
-        elif (again["stands"], again["closure"]["form_closure"]) != (found["stands"], found["closure"]["form_closure"]):
-            self.fail(f"places typed back: stands and form closure {again['stands']}, "
-                      f"{again['closure']['form_closure']}, not {found['stands']}, "
-                      f"{found['closure']['form_closure']}", [arguments[0], "--supports", supports])
+        elif (told := self.told(again)) != self.told(found):
+            self.fail(f"places typed back: {told}, not {self.told(found)}", [arguments[0], "--supports", supports])
+
+    @staticmethod
+    def told(found):
+        return found["stands"], found["closure"]["form_closure"], found["verdict"]["kind"], found["verdict"]["reasons"]
 
 
 def check_sample(check, path, number):
@@ -394,6 +417,15 @@ def check_sample(check, path, number):
     option = ",".join(f"{k}={v}" for k, v in sizes.items())
     check.promises([file, "--metric", "balanced", "--robots", "5", "--robot", option], robot=sizes)
     check.promises([file, "--teams", "3", "--robot", option], robot=sizes)
+    # Bodies without hands: their lifting points, which the table prints, are at the outline.
+    option = f"r={r},gap={sizes['gap']}"
+    for way in (["--metric", "balanced", "--robots", "5"], ["--teams", "3"]):
+        found = check.promises([file, *way, "--robot", option], robot={"r": r, "gap": sizes["gap"]})
+        if found:
+            check.typed_back([file, *way], found, ("--robot", option))
+    for survive in (1, 2):
+        check.survives([file, "--metric", "balanced", "--robots", str(5 + 2 * survive), "--survive", str(survive),
+                        "--accuracy", str(round(0.05 * Result(check.run([file])).radius, 3))])
 
 
 def check_random(check, file, rng):

@@ -197,7 +197,7 @@ void draw_robots(const Ui& ui, const Columns& c) {
   right_aligned(list, Face::label, c.ratio, at.y + 8, ui.theme.second_text,
                 say("Load in {unit}", {weight_unit(ui.state)}));
   ImGui::Dummy(ImVec2(1, line_height(Face::label)));
-  const TeamInWords words = team_in_words(placement, 0, coordinate_decimals(placement.vertices()));
+  const TeamInWords words = team_in_words(placement, 0, place_decimals(placement));
   for (std::size_t i = 0; i < words.at.size(); ++i) draw_robot_row(ui, c, i, words);
 }
 

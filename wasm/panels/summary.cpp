@@ -130,7 +130,7 @@ std::string robots_in_words(const Placement& placement) {
                             : "{robots} of {requested} requested, method balanced, goal cover.",
                       {robots, placement.settings.robots});
   if (placement.teams.empty()) return text;
-  const TeamInWords team = team_in_words(placement, 0, coordinate_decimals(placement.vertices()));
+  const TeamInWords team = team_in_words(placement, 0, place_decimals(placement));
   for (std::size_t i = 0; i < team.at.size(); ++i)
     text += " " + say("Robot {robot} at {place}.", {i + 1, team.at[i]});
   return text;
@@ -311,7 +311,7 @@ std::string summary(const AppState& state) {
                  method_in_words(settings.method), plain(settings.min_ratio)});
   // A hundred teams would be too long to listen to; the JSON has all.
   const std::size_t named = std::min<std::size_t>(placement.teams.size(), 12);
-  const int decimals = coordinate_decimals(placement.vertices());
+  const int decimals = place_decimals(placement);
   for (std::size_t i = 0; i < named; ++i) {
     const TeamInWords team = team_in_words(placement, i, decimals);
     text +=

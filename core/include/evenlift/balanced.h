@@ -10,7 +10,7 @@
 // 2. if the setting `survive` is F > 0: the larger number of failures, counted up to F, after which
 //    C is at least `clear` inside the hull of the other robots, whichever robots fail;
 // 3. for the goal `hold`: the higher level. The level is the number of thresholds 0.001, 0.4 mu and
-//    mu that the margin reaches. Here mu is min_margin, and only contacts at least `clear` from
+//    mu that the margin reaches, and 0 if the hold is not firm (closure.h). Here mu is min_margin, and only contacts at least `clear` from
 //    every corner count for the margin;
 // 4. the larger coverage, by more than 1e-9;
 // 5. the larger sum of |p - C|^2 over the robots' places p, by more than 1e-9 of it;
@@ -84,7 +84,7 @@ struct BalancedWork {
 
 // A search ends when it has done more. The first two are for boundaries of up to 1,000 vertices, the
 // next two for larger ones. The start has a limit of its own.
-inline constexpr std::uint64_t most_steps = 280'000'000;
+inline constexpr std::uint64_t most_steps = 250'000'000;
 inline constexpr std::uint64_t most_start_steps = 70'000'000;
 inline constexpr std::uint64_t most_steps_if_large = 1'000'000'000;
 inline constexpr std::uint64_t most_start_steps_if_large = 250'000'000;

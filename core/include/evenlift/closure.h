@@ -133,7 +133,8 @@ struct HoldRequirements {
 };
 
 // The requirements in the settings. If the setting `clear` is empty, the distance is usual_clear
-// (document.h) times R. The tolerance is half of that, and `inside` is that, or the setting
+// (document.h) times R. With the method `given` it is less by usual_snap times L, since places that
+// are typed have few digits. The tolerance is half of that, and `inside` is that, or the setting
 // `accuracy` if it is more. O(n).
 HoldRequirements hold_requirements(const Polygon& polygon, const Vec2& centre,
                                    const Settings& settings);

@@ -162,6 +162,9 @@ struct EdgePart {
 // The default of Settings::clear, in units of R (polygon.h).
 inline constexpr double usual_clear = 0.02;
 
+// The default of Settings::snap, in units of L: more than the rounding of places in tables.
+inline constexpr double usual_snap = 1e-4;
+
 // A rigid load that is fixed to the object. It acts at its own centre of mass and may overhang.
 struct Cargo {
   Vec2 at;

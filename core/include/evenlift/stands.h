@@ -63,7 +63,9 @@ struct EdgeFrame {
 struct StandReserve {
   double accuracy = 0;     // robots may be off along the outline by this
   double from_corner = 0;  // the distance of contacts from corners, at least `accuracy`
-  double part = 0;         // of the length of a robot's room, from its ends; for bodies
+  // For bodies: this part of the length of a robot's room, from its ends; and this length, but no
+  // more than a quarter of the room.
+  double part = 0, length = 0;
 };
 
 class Stands {
@@ -119,6 +121,10 @@ class Stands {
   // The lifting point of the robot that has this contact on an edge. If the robot is beneath the
   // object, the lifting point is the contact itself. O(1).
   LiftingPoint lifting_point(const LiftingPoint& contact) const;
+  // The nearest contact with room beside the same vertex, for the contact of a robot with a body at a
+  // vertex that is no corner and no notch, such as one of a curve: intervals end 2 tau L before it.
+  // Otherwise, or if there is no room either, the contact itself. Costs as much as why_not().
+  LiftingPoint beside_vertex(const Polygon& polygon, const LiftingPoint& contact) const;
   // The distance of a lifting point or contact from the first vertex of its edge. O(1).
   double along(const LiftingPoint& point) const;
   // Whether a robot can have this lifting point, and whether searches may use it, within tau L along

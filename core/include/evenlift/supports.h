@@ -27,9 +27,6 @@
 
 namespace evenlift {
 
-// The default snap distance, in units of L: more than the rounding of places in tables.
-inline constexpr double usual_snap = 1e-4;
-
 // The snap distance of these settings, in units of length. O(1).
 double snap_distance(const Polygon& polygon, const Settings& settings);
 

@@ -4,7 +4,7 @@
 //
 // A local search begins with the teams that a metric selects. Two choices with the same number of
 // teams are compared by these keys; the first key that is not a tie decides which is better:
-// 1. the `level`, the number of thresholds that the margin reaches;
+// 1. the `level`, the number of thresholds that the margin of a firm hold (closure.h) reaches;
 // 2. the coverage, larger by more than 1e-9;
 // 3. the sum of the load ratios, larger by more than tau.
 // The margin is that of the contacts at least `clear` from every corner. The thresholds are 0.001,

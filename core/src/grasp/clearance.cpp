@@ -77,7 +77,9 @@ bool holds_within(const Polygon& polygon, const Vec2& centre, const std::vector<
 
 HoldRequirements hold_requirements(const Polygon& polygon, const Vec2& centre,
                                    const Settings& settings) {
-  const double clear = settings.clear.value_or(usual_clear * farthest_vertex(polygon, centre));
+  double clear = settings.clear.value_or(usual_clear * farthest_vertex(polygon, centre));
+  if (settings.method == Method::given)
+    clear = std::max(0.0, clear - usual_snap * polygon.diameter());
   const double accuracy = settings.accuracy.value_or(0);
   return {settings.min_margin, clear, std::max(clear / 2, accuracy), std::max(clear, accuracy)};
 }

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -19,6 +18,14 @@ namespace {
 using Index = std::uint32_t;
 using Triangle = std::array<Index, 3>;
 
+// Whether the four points are on two lines along the third axis, or three of them on one: then all
+// are in one plane. Wrenches of contacts on edges with the same normal are on one such line.
+bool on_parallel_lines(const Wrench& a, const Wrench& b, const Wrench& c, const Wrench& d) {
+  const auto on_one = [](const Wrench& p, const Wrench& q) { return p.x == q.x && p.y == q.y; };
+  return on_one(a, b) + on_one(a, c) + on_one(a, d) + on_one(b, c) + on_one(b, d) + on_one(c, d) >=
+         2;
+}
+
 // The exact sign of (b - a) x (c - a) . (d - a): the orientation of a tetrahedron.
 int orient3(const Wrench& a, const Wrench& b, const Wrench& c, const Wrench& d) {
   const Wrench p = b - a, q = c - a, r = d - a;
@@ -26,7 +33,8 @@ int orient3(const Wrench& a, const Wrench& b, const Wrench& c, const Wrench& d) 
   const double permanent = one_norm(p) * one_norm(q) * one_norm(r);
   constexpr double filter_threshold = 0x1p-48;  // as in predicates.cpp
   if (std::fabs(value) > filter_threshold * permanent) return value > 0 ? 1 : -1;
-  if (d == a || d == b || d == c) return 0;  // most of the others: hull_facets() asks about corners
+  // Most of the others: hull_facets() asks about corners, too.
+  if (d == a || d == b || d == c || on_parallel_lines(a, b, c, d)) return 0;
   using Row = std::array<Dyadic, 3>;
   const auto difference = [&](const Wrench& v) {
     return Row{Dyadic(v.x) - Dyadic(a.x), Dyadic(v.y) - Dyadic(a.y), Dyadic(v.z) - Dyadic(a.z)};
@@ -70,19 +78,21 @@ std::vector<Triangle> hull_facets(const std::vector<Wrench>& w) {
   if (!start) return {};
   const auto [a, b, c, d] = *start;
   std::vector<Triangle> facets{{a, b, c}, {a, d, b}, {b, d, c}, {c, d, a}};
+  std::vector<std::pair<Index, Index>> sides;
   for (Index p = 0; p < w.size(); ++p) {
     const auto first_visible = std::partition(facets.begin(), facets.end(), [&](const Triangle& f) {
       return orient3(w[f[0]], w[f[1]], w[f[2]], w[p]) <= 0;
     });
     if (first_visible == facets.end()) continue;
-    std::map<std::pair<Index, Index>, bool> rim;
-    for (auto f = first_visible; f != facets.end(); ++f) {
-      for (std::size_t k = 0; k < 3; ++k) rim[{(*f)[k], (*f)[(k + 1) % 3]}] = true;
-    }
+    sides.clear();
+    for (auto f = first_visible; f != facets.end(); ++f)
+      for (std::size_t k = 0; k < 3; ++k) sides.emplace_back((*f)[k], (*f)[(k + 1) % 3]);
     facets.erase(first_visible, facets.end());
-    for (const auto& [edge, present] : rim) {
-      if (!rim.contains({edge.second, edge.first})) facets.push_back({edge.first, edge.second, p});
-    }
+    std::sort(sides.begin(), sides.end());
+    // A side of two visible facets has both directions.
+    for (const auto& [from, to] : sides)
+      if (!std::binary_search(sides.begin(), sides.end(), std::pair(to, from)))
+        facets.push_back({from, to, p});
   }
   return facets;
 }

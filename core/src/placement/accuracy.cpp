@@ -142,6 +142,21 @@ std::optional<First> until_loose(const Placement& placement) {
   return first;
 }
 
+// On along the outline, or back.
+ErrorDirection along_outline(const Polygon& polygon, const LiftingPoint& point) {
+  const double near = near_distance(polygon.diameter());
+  const auto along = [&](std::size_t edge) {
+    const Vec2 way = polygon.edge_end(edge) - polygon.edge_start(edge);
+    return way / length(way);
+  };
+  std::size_t on = point.edge, back = point.edge;
+  if (length(point.position - polygon.edge_start(point.edge)) <= near)
+    back = polygon.previous(point.edge);
+  else if (length(point.position - polygon.edge_end(point.edge)) <= near)
+    on = polygon.next(point.edge);
+  return {ErrorDirection::Kind::along, {along(on), -along(back)}};
+}
+
 std::vector<ErrorDirection> directions_of(const Placement& placement,
                                           const std::vector<RobotDrift>& drifts) {
   using Kind = ErrorDirection::Kind;
@@ -152,7 +167,7 @@ std::vector<ErrorDirection> directions_of(const Placement& placement,
     if (point.edge == beneath)
       direction.kind = Kind::any;
     else if (!drifts[directions.size()].is_fixed())
-      direction = {Kind::along, left_normal(inward_normal(polygon, point.edge))};
+      direction = along_outline(polygon, point);
     directions.push_back(direction);
   }
   return directions;
@@ -191,7 +206,8 @@ class Overload {
     Accuracy::Greatest greatest{order.front(), linear[order.front()]};
     for (std::size_t k = 0; k < order.size() && k < most_exact; ++k) {
       const std::size_t i = order[k];
-      const double load = ends_[i] - planned_[i] + this->load(i, error);
+      const Points errors = worse(i, error, errors_.worst_errors(i));
+      const double load = ends_[i] - planned_[i] + this->load(i, error, errors);
       if (load > greatest.load && std::isfinite(load)) greatest = {i, load};
     }
     return greatest;
@@ -209,11 +225,7 @@ class Overload {
     First first{Promise::capacity, infinite, {}, {}};
     for (std::size_t k = 0; k < order.size() && linear[order[k]] < infinite; ++k) {
       const std::size_t i = order[k];
-      double within = linear[i];
-      if (k < most_exact)
-        within = last_that(within, [&](double error) {
-          return ends_[i] - planned_[i] + load(i, error) <= limits_[i] * (1 + tau);
-        });
+      const double within = k < most_exact ? until_overloaded(i, linear[i]) : linear[i];
       if (within < first.within) first = {Promise::capacity, within, {i}, {}};
     }
     if (first.robots.empty()) return std::nullopt;
@@ -221,10 +233,44 @@ class Overload {
   }
 
  private:
-  static constexpr std::size_t most_exact = 16;
+  static constexpr std::size_t most_exact = 16, most_turned = 64;
 
-  double load(std::size_t i, double error) const {
-    const Points places = errors_.worst_places(i, error);
+  // With the errors that are worst to first order, and then with those that are worse so far off.
+  double until_overloaded(std::size_t i, double most) const {
+    const auto within = [&](double high, const Points& errors) {
+      return last_that(high, [&](double error) {
+        return ends_[i] - planned_[i] + load(i, error, errors) <= limits_[i] * (1 + tau);
+      });
+    };
+    const Points errors = errors_.worst_errors(i);
+    const double first = within(most, errors);
+    return within(first, worse(i, first, errors));
+  }
+
+  // Turns errors round, one at a time, as long as that raises the load.
+  Points worse(std::size_t i, double error, Points errors) const {
+    if (errors.size() > most_turned) return errors;
+    double greatest = load(i, error, errors);
+    bool turned = true;
+    for (int pass = 0; turned && pass < 4; ++pass) {
+      turned = false;
+      for (std::size_t j = 0; j < errors.size(); ++j) {
+        const Vec2 before = errors[j];
+        errors[j] = errors_.other_way(j, before);
+        if (const double load = this->load(i, error, errors); load > greatest) {
+          greatest = load;
+          turned = true;
+        } else {
+          errors[j] = before;
+        }
+      }
+    }
+    return errors;
+  }
+
+  double load(std::size_t i, double error, const Points& errors) const {
+    Points places = robots_;
+    for (std::size_t j = 0; j < places.size(); ++j) places[j] += error * errors[j];
     if (!by_springs_) return errors_.planned_at(places)[i];
     const auto springs =
         spring_loads(places, of_.placement.centre_of_mass, size_, of_.placement.weight());

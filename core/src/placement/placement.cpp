@@ -76,7 +76,9 @@ std::optional<InputError> place_given(Placement& placement) {
   auto robots = place_supports(placement.object, placement.settings);
   if (!robots) return robots.error();
   if (placement.stands)
-    for (LiftingPoint& robot : *robots) robot = placement.stands->lifting_point(robot);
+    for (LiftingPoint& robot : *robots)
+      robot = placement.stands->lifting_point(
+          placement.stands->beside_vertex(placement.polygon(), robot));
   placement.teams = {team_of(placement, *robots)};
   const auto springs = spring_loads(positions(*robots), placement.centre_of_mass,
                                     placement.polygon().diameter(), placement.weight());

@@ -1,5 +1,6 @@
 #include "robustness/load_errors.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -68,28 +69,38 @@ double LoadErrors::sum(std::size_t i) const {
            (carrying_ * unit_);
   }
   double sum = 0;
-  for (std::size_t j = 0; j < loads_.size(); ++j) {
-    const ErrorDirection& direction = directions_[j];
-    if (direction.kind == ErrorDirection::Kind::none) continue;
-    const Vec2 by = derivative(i, j);
-    sum += direction.kind == ErrorDirection::Kind::any ? length(by)
-                                                       : std::fabs(dot(by, direction.along));
-  }
+  for (std::size_t j = 0; j < loads_.size(); ++j) sum += dot(derivative(i, j), worst_way(i, j));
   return sum;
 }
 
-Points LoadErrors::worst_places(std::size_t i, double error) const {
-  Points places = robots_;
-  for (std::size_t j = 0; j < places.size(); ++j) {
-    const ErrorDirection& direction = directions_[j];
-    if (direction.kind == ErrorDirection::Kind::none) continue;
-    const Vec2 by = derivative(i, j);
-    if (direction.kind == ErrorDirection::Kind::along)
-      places[j] += direction.along * (dot(by, direction.along) < 0 ? -error : error);
-    else if (const double size = length(by); size > 0)
-      places[j] += by * (error / size);
+Vec2 LoadErrors::worst_way(std::size_t i, std::size_t j) const {
+  const ErrorDirection& direction = directions_[j];
+  const Vec2 by = derivative(i, j);
+  switch (direction.kind) {
+    case ErrorDirection::Kind::none:
+      break;
+    case ErrorDirection::Kind::any:
+      if (const double size = length(by); size > 0) return by / size;
+      break;
+    case ErrorDirection::Kind::along: {
+      const double first = dot(by, direction.ways[0]), second = dot(by, direction.ways[1]);
+      if (std::max(first, second) >= 0) return direction.ways[first < second ? 1 : 0];
+    }
   }
-  return places;
+  return {};
+}
+
+Points LoadErrors::worst_errors(std::size_t i) const {
+  Points errors;
+  errors.reserve(robots_.size());
+  for (std::size_t j = 0; j < robots_.size(); ++j) errors.push_back(worst_way(i, j));
+  return errors;
+}
+
+Vec2 LoadErrors::other_way(std::size_t j, const Vec2& way) const {
+  const ErrorDirection& direction = directions_[j];
+  if (direction.kind != ErrorDirection::Kind::along) return -way;
+  return direction.ways[way == direction.ways[0] ? 1 : 0];
 }
 
 std::vector<double> LoadErrors::planned_at(const Points& robots) const {

@@ -7,10 +7,11 @@
 
 namespace evenlift {
 
-// Where a robot may be off: along a unit vector, in any direction, or nowhere.
+// Where a robot may be off: along either of two unit vectors, in any direction, or nowhere. Along an
+// edge the two are opposite; at a vertex each is along one of its edges.
 struct ErrorDirection {
   enum class Kind { along, any, none } kind = Kind::none;
-  Vec2 along = {};
+  Vec2 ways[2] = {};
 };
 
 // The derivatives of loads by the places of robots, in units of weight per length. Let p be the
@@ -26,19 +27,22 @@ class LoadErrors {
   LoadErrors(const Points& robots, const Vec2& centre, double unit, double weight,
              std::vector<double> loads, bool are_planned, std::vector<ErrorDirection> directions);
 
-  // The sum over j of the absolute derivatives of a load, 0 if robot i carries none. O(m); more than
+  // The sum over j of the greatest derivatives of a load, 0 if robot i carries none. O(m); more than
   // 1,000 robots get an upper bound in O(1).
   double sum(std::size_t i) const;
 
-  // The places if all robots are off by `error`, each in the sense that raises the load of robot i,
-  // to first order. O(m).
-  Points worst_places(std::size_t i, double error) const;
+  // The unit vectors along which errors of the robots raise the load of robot i, to first order; 0
+  // where an error changes nothing. O(m).
+  Points worst_errors(std::size_t i) const;
+  // The other way of robot j: one that is not this one of its unit vectors. O(1).
+  Vec2 other_way(std::size_t j, const Vec2& way) const;
 
   // The planned loads at other places, with what springs add to keep the balance. O(m).
   std::vector<double> planned_at(const Points& places) const;
 
  private:
   Vec2 derivative(std::size_t i, std::size_t j) const;  // by the place of robot j in the plane
+  Vec2 worst_way(std::size_t i, std::size_t j) const;
 
   Points robots_;
   Vec2 centre_;

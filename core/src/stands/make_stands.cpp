@@ -59,7 +59,10 @@ Result<std::shared_ptr<const Stands>> make_stands(const PolygonWithHoles& object
                std::max(accuracy, settings.clear.value_or(
                                       usual_clear * farthest_vertex(object.outline(), centre)))};
   // Then places that are typed with a few digits fit again.
-  if (settings.robot.has_body()) reserve.part = 1e-3;
+  if (settings.robot.has_body()) {
+    reserve.part = 1e-3;
+    reserve.length = usual_snap * object.outline().diameter();
+  }
   auto stands = std::make_shared<const Stands>(object, settings.robot, settings.no_go, reserve);
   if (!stands->any() && settings.method != Method::given) return no_room(settings);
   if (!stands->any_usable() && settings.method != Method::given)

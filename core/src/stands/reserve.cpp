@@ -39,6 +39,9 @@ std::vector<double> Stands::drifts(const Polygon& polygon, double accuracy) cons
 }
 
 Stands::Parts Stands::usable_parts(const Polygon& polygon, const StandReserve& reserve) const {
+  const auto of_room = [&](double room) {
+    return std::max(reserve.part * room, std::min(reserve.length, room / 4));
+  };
   // What must be left free at an end of a part.
   const auto kept = [&](std::uint32_t edge, const Stretch& part, bool on) {
     const double to_vertex = on ? frames_[edge].length - part.to : part.from;
@@ -51,7 +54,7 @@ Stands::Parts Stands::usable_parts(const Polygon& polygon, const StandReserve& r
     if (beyond.vertex && polygon.is_notch(*beyond.vertex) && !has_body()) return 0.0;
     double least = std::max(0.0, needed - beyond.length);
     if (beyond.length == 0 && has_body())
-      least = std::max({least, reserve.accuracy, reserve.part * (part.to - part.from)});
+      least = std::max({least, reserve.accuracy, of_room(part.to - part.from)});
     return polygon.is_corner(vertex) ? std::max(least, reserve.from_corner - to_vertex) : least;
   };
   Parts usable;

@@ -103,6 +103,24 @@ LiftingPoint Stands::lifting_point(const LiftingPoint& contact) const {
   return {contact.position - robot_.depth * frames_[contact.edge].outward, contact.edge};
 }
 
+LiftingPoint Stands::beside_vertex(const Polygon& polygon, const LiftingPoint& contact) const {
+  if (!has_body() || contact.edge == beneath) return contact;
+  const double t = along(contact), left = frames_[contact.edge].length - t;
+  const std::size_t vertex = t < left ? contact.edge : polygon.next(contact.edge);
+  if (std::min(t, left) > near_ || polygon.is_corner(vertex) || polygon.is_notch(vertex))
+    return contact;
+  const auto after = static_cast<std::uint32_t>(vertex),
+             before = static_cast<std::uint32_t>(polygon.previous(vertex));
+  const double aside = 2 * near_;
+  const auto place = [&](std::uint32_t edge, double at) {
+    return LiftingPoint{frames_[edge].start + at * frames_[edge].along, edge};
+  };
+  for (const LiftingPoint& other :
+       {place(after, aside), place(before, frames_[before].length - aside)})
+    if (!why_not(other.edge, along(other))) return other;
+  return contact;
+}
+
 double Stands::along(const LiftingPoint& point) const {
   const EdgeFrame& frame = frames_[point.edge];
   return std::clamp(dot(point.position - frame.start, frame.along), 0.0, frame.length);

@@ -226,7 +226,12 @@ struct TeamInWords {
   std::string length;                  // of the chord of a team of two, or empty
   std::vector<std::string> at, loads;  // of each robot; loads without a unit
 };
-TeamInWords team_in_words(const Placement& placement, std::size_t team, int coordinate_decimals);
+TeamInWords team_in_words(const Placement& placement, std::size_t team, int decimals);
+
+// The number of decimals for the robots' places: coordinate_decimals(), or up to two more if
+// rounding would put a robot at a vertex that it is only near, where it may have no contact. Then
+// places that are typed again keep what they promise. O(robots).
+int place_decimals(const Placement& placement);
 
 // Returns "yes", "second order" or "no".
 std::string form_closure_in_words(const Closure& closure);

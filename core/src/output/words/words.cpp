@@ -511,7 +511,29 @@ std::vector<Fact> facts_in_words(const ShownPlacement& of) {
   return facts;
 }
 
-TeamInWords team_in_words(const Placement& placement, std::size_t team, int coordinate_decimals) {
+int place_decimals(const Placement& placement) {
+  constexpr int most_more = 2;
+  const Polygon& polygon = placement.polygon();
+  const double at_vertex = 3 * near_distance(polygon.diameter());
+  const int usual = coordinate_decimals(placement.vertices());
+  int decimals = usual;
+  double last_place = 1;
+  for (int i = 0; i < usual; ++i) last_place /= 10;
+  const auto rounds_to_vertex = [&](const LiftingPoint& point) {
+    if (point.edge == beneath) return false;
+    const double to_vertex = std::min(length(point.position - polygon.edge_start(point.edge)),
+                                      length(point.position - polygon.edge_end(point.edge)));
+    return to_vertex > at_vertex && to_vertex < last_place;
+  };
+  for (const LiftingPoint& point : lifting_points(placement.teams))
+    while (decimals < usual + most_more && rounds_to_vertex(point)) {
+      ++decimals;
+      last_place /= 10;
+    }
+  return decimals;
+}
+
+TeamInWords team_in_words(const Placement& placement, std::size_t team, int decimals) {
   const Team& shown = placement.teams[team];
   TeamInWords words{ratio_in_words(shown.ratio), {}, {}, {}};
   if (shown.robots.size() == 2) {
@@ -519,7 +541,7 @@ TeamInWords team_in_words(const Placement& placement, std::size_t team, int coor
     words.length = amount(length, length);
   }
   for (const Robot& robot : shown.robots) {
-    words.at.push_back(point_in_words(robot.point.position, coordinate_decimals));
+    words.at.push_back(point_in_words(robot.point.position, decimals));
     words.loads.push_back(amount(robot.load, placement.loads ? placement.loads->max : 0));
   }
   return words;
