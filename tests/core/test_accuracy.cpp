@@ -82,6 +82,68 @@ TEST_CASE("a capacity ends where a load exceeds it, with all robots off in the w
   CHECK(most == Approx(40).epsilon(0.01));
 }
 
+TEST_CASE("ranges of loads include what changes with robots that are off", "[accuracy]") {
+  Document document;
+  document.vertices = {{0, 0}, {100, 0}, {110, 70}, {10, 80}};
+  document.settings.method = Method::balanced;
+  document.settings.robots = 5;
+  const auto ranges = [&](LoadModel model) {
+    const Placement placement = placed(document);
+    return loads_by(model, placement, with_inaccuracy(*model_loads(placement), placement));
+  };
+  for (const LoadRange& range : ranges(LoadModel::plan)) CHECK(range.least == range.greatest);
+  document.settings.accuracy = 1;
+  const Placement placement = placed(document);
+  const auto found = ranges(LoadModel::springs);
+  CHECK_FALSE(may_let_go(LoadModel::springs, placement,
+                         with_inaccuracy(*model_loads(placement), placement)));
+  // All robots off by 1 along their edges, in each combination of senses.
+  std::vector<double> greatest(5, 0), least(5, 100);
+  const std::vector<LiftingPoint> robots = lifting_points(placement.teams);
+  for (unsigned senses = 0; senses < 32; ++senses) {
+    Points places;
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      const Vec2 edge = placement.polygon().edge_end(robots[i].edge) -
+                        placement.polygon().edge_start(robots[i].edge);
+      places.push_back(robots[i].position +
+                       edge * ((senses >> i & 1u ? 1.0 : -1.0) / length(edge)));
+    }
+    const auto springs = spring_loads(places, placement.centre_of_mass,
+                                      placement.polygon().diameter(), placement.weight());
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      greatest[i] = std::max(greatest[i], springs->loads[i]);
+      least[i] = std::min(least[i], springs->loads[i]);
+    }
+  }
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    CHECK(found[i].greatest == Approx(greatest[i]).epsilon(0.01));
+    CHECK(found[i].least == Approx(least[i]).epsilon(0.01));
+  }
+}
+
+TEST_CASE("a robot at a corner may be off along either of its edges", "[accuracy]") {
+  const Points corners{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  Document document = on_square(corners);
+  document.shown.capacity = 27;
+  const double within = *accuracy_of(document)[Promise::capacity];
+  const auto greatest = [&](double off) {
+    double load = 0;
+    for (unsigned senses = 0; senses < 16; ++senses) {
+      Points places;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Vec2 way = corners[(i + (senses >> i & 1u ? 1 : 3)) % 4] - corners[i];
+        places.push_back(corners[i] + way * (off / length(way)));
+      }
+      const auto springs = spring_loads(places, {5, 5}, 14, 100);
+      for (const double each : springs->loads) load = std::max(load, each);
+    }
+    return load;
+  };
+  // The limit to first order is safe here, by a third of what the loads may change.
+  CHECK(greatest(within) <= 27.27);
+  CHECK(greatest(within) >= 26.3);
+}
+
 TEST_CASE("robots with a size may be off until they have no room, or are too near",
           "[accuracy][stands]") {
   Document document = on_square({{5, 0}, {10, 5}, {5, 10}, {0, 5}});
@@ -129,7 +191,26 @@ TEST_CASE("an accuracy that leaves no room is refused", "[accuracy][errors]") {
   document.settings.accuracy = 6;
   const auto refused = place(document);
   REQUIRE_FALSE(refused.ok());
-  CHECK(refused.error().message == "no edge has room for robots that may be off by 6");
+  CHECK(refused.error().message ==
+        "no edge has room for robots that may be off by 6; with 4.5 there is room for 6");
+}
+
+TEST_CASE("where robots that may be off have no room, it is told with which accuracy they would",
+          "[accuracy][words]") {
+  Document document = corpus::polygon("guitar");
+  document.settings.method = Method::balanced;
+  document.settings.robots = 6;
+  document.settings.robot.radius = 20;
+  document.settings.accuracy = 140;
+  const Placement placement = placed(document);
+  REQUIRE(placement.teams.empty());
+  REQUIRE(placement.accuracy_with_room);
+  CHECK(plainly(verdict({placement, document.shown})) ==
+        "No robots can be placed. No places were found for 6 balanced robots of this size: their "
+        "centroid must be the centre of mass. That is for robots that may be off by 140; with 43 "
+        "there is room for 6 robots.");
+  document.settings.accuracy = placement.accuracy_with_room;
+  CHECK(count_robots(placed(document).teams) == 6);
 }
 
 TEST_CASE("how far robots may be off is told in a sentence", "[accuracy][words]") {

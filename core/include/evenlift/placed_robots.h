@@ -56,18 +56,29 @@ struct ModelLoads {
   std::vector<double> worst;
   Disturbance disturbance = {};
   LoadChanges changes = {};  // empty without a disturbance
+  // Added by with_inaccuracy(): by how much the loads as planned, and by springs, may change if all
+  // robots are off by the setting `accuracy`. Otherwise empty.
+  std::vector<double> planned_doubt = {}, springs_doubt = {};
+
+  // Whether loads that have ranges (has_ranges()) are ranges. O(1).
+  bool are_ranges() const { return disturbance.any() || !planned_doubt.empty(); }
 };
 std::optional<ModelLoads> model_loads(const Placement& placement,
                                       const Disturbance& disturbance = {});
 
+// The same loads, with what may change if all robots are off by the setting `accuracy`, to first
+// order (accuracy.h). If robots may then let go, the ends are those with C as much farther off. O(m^2),
+// and as much as model_loads().
+ModelLoads with_inaccuracy(ModelLoads models, const Placement& placement);
+
 // Returns the load of each robot by a model, for display. The load is a range if there is a
-// disturbance and the model has ranges (uncertainty.h), otherwise one value. For the model `best`,
+// disturbance or an inaccuracy and the model has ranges (uncertainty.h), otherwise one value. For the model `best`,
 // the value of every robot is the least possible greatest load. Without `models` the loads are as
 // planned. O(m).
 std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
                                 const std::optional<ModelLoads>& models);
 
-// Returns whether the disturbance may change which robots carry load (uncertainty.h); false if the
+// Returns whether that may change which robots carry load (uncertainty.h); false if the
 // model has no ranges. O(m).
 bool may_let_go(LoadModel model, const Placement& placement,
                 const std::optional<ModelLoads>& models);

@@ -45,6 +45,9 @@ struct Placement {
   bool search_ended = true;   // false while a search or swaps may still find better robots
   bool cut_short = false;  // whether a limit of work ended the search (most_work in balanced.h) or
                            // the swaps (most_swap_steps in swaps.h)
+  // If robots that may be off by the setting `accuracy` have no room for as many as requested: a
+  // smaller accuracy with which there is room. Empty if none is found.
+  std::optional<double> accuracy_with_room = {};
 };
 
 // With `whole`, the search for balanced robots runs to its end. With `start`, only the set with

@@ -142,37 +142,6 @@ std::optional<First> until_loose(const Placement& placement) {
   return first;
 }
 
-// On along the outline, or back.
-ErrorDirection along_outline(const Polygon& polygon, const LiftingPoint& point) {
-  const double near = near_distance(polygon.diameter());
-  const auto along = [&](std::size_t edge) {
-    const Vec2 way = polygon.edge_end(edge) - polygon.edge_start(edge);
-    return way / length(way);
-  };
-  std::size_t on = point.edge, back = point.edge;
-  if (length(point.position - polygon.edge_start(point.edge)) <= near)
-    back = polygon.previous(point.edge);
-  else if (length(point.position - polygon.edge_end(point.edge)) <= near)
-    on = polygon.next(point.edge);
-  return {ErrorDirection::Kind::along, {along(on), -along(back)}};
-}
-
-std::vector<ErrorDirection> directions_of(const Placement& placement,
-                                          const std::vector<RobotDrift>& drifts) {
-  using Kind = ErrorDirection::Kind;
-  const Polygon& polygon = placement.polygon();
-  std::vector<ErrorDirection> directions;
-  for (const LiftingPoint& point : lifting_points(placement.teams)) {
-    ErrorDirection direction;
-    if (point.edge == beneath)
-      direction.kind = Kind::any;
-    else if (!drifts[directions.size()].is_fixed())
-      direction = along_outline(polygon, point);
-    directions.push_back(direction);
-  }
-  return directions;
-}
-
 // The loads with robots that are off, against the capacities.
 class Overload {
  public:
@@ -184,7 +153,7 @@ class Overload {
         planned_(planned_loads(of.placement.teams)),
         errors_(robots_, of.placement.centre_of_mass,
                 known_size(robots_, of.placement.centre_of_mass, size_), of.placement.weight(),
-                planned_, !by_springs_, directions_of(of.placement, drifts)) {
+                planned_, !by_springs_, error_directions(of.placement, drifts)) {
     const std::vector<LoadRange> ranges = loads_when_disturbed(of);
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       const auto limit = capacity_of(of, i);

@@ -143,7 +143,9 @@ class PlannedCrew {
     const double distance = tipping_distance_of(robots);
     return distance > 0 &&
            distance >= hold_requirements(of_.placement).inside - near_distance(diameter()) &&
-           stays(robots, disturbance);
+           is_within_base(effect_on(robots, centre(), diameter(), disturbance).reach +
+                              of_.placement.settings.accuracy.value_or(0),
+                          distance, diameter());
   }
 
   const ShownPlacement& of_;
@@ -168,7 +170,8 @@ bool tips_wherever_they_stand(const ShownPlacement& of) {
   Disturbance on_even_ground = disturbance_of(of.shown);
   on_even_ground.uneven = 0;
   const double needed =
-      std::max(hold_requirements(placement).inside, effect_on({}, {}, size, on_even_ground).reach);
+      std::max(hold_requirements(placement).inside, effect_on({}, {}, size, on_even_ground).reach +
+                                                        placement.settings.accuracy.value_or(0));
   return !is_within_base(
       needed, tipping_distance(convex_hull(placement.vertices()), placement.centre_of_mass, size),
       size);

@@ -6,6 +6,8 @@
 #include "evenlift/closure.h"
 #include "evenlift/tilt.h"
 #include "evenlift/tolerance.h"
+#include "placement/robot_drift.h"
+#include "robustness/known_size.h"
 
 namespace evenlift {
 namespace {
@@ -66,6 +68,14 @@ std::vector<double> loads_of(LoadModel model, const Placement& placement,
   return planned_loads(placement.teams);
 }
 
+LoadChanges changes_of(LoadModel model, const ModelLoads& models) {
+  LoadChanges changes = models.changes;
+  const std::vector<double>& doubt =
+      model == LoadModel::plan ? models.planned_doubt : models.springs_doubt;
+  for (std::size_t i = 0; i < doubt.size(); ++i) changes.by[i] += doubt[i];
+  return changes;
+}
+
 std::vector<LoadRange> single(const std::vector<double>& loads) {
   std::vector<LoadRange> ranges;
   ranges.reserve(loads.size());
@@ -116,19 +126,50 @@ std::optional<ModelLoads> model_loads(const Placement& placement, const Disturba
   return models;
 }
 
+ModelLoads with_inaccuracy(ModelLoads models, const Placement& placement) {
+  const double accuracy = placement.settings.accuracy.value_or(0);
+  if (!(accuracy > 0)) return models;
+  const Points robots = positions_of_all(placement);
+  const Vec2& centre = placement.centre_of_mass;
+  const double size = diameter(placement), weight = placement.weight();
+  const auto changes = [&](const Disturbance& disturbance) {
+    return load_changes(robots, centre, size, weight, models.springs, disturbance);
+  };
+  if (!models.disturbance.any()) models.changes = changes({});
+  // The lifting base moves by no more than its robots.
+  Disturbance wider = models.disturbance;
+  wider.com_radius += accuracy;
+  LoadChanges at_worst = changes(wider);
+  models.changes.others_may_carry = at_worst.others_may_carry;
+  models.changes.at_worst = std::move(at_worst.at_worst);
+  models.changes.at_least = std::move(at_worst.at_least);
+  const auto doubt = [&](const std::vector<double>& loads, bool are_planned) {
+    const LoadErrors errors(robots, centre, known_size(robots, centre, size), weight, loads,
+                            are_planned, error_directions(placement, drifts_of(placement)));
+    std::vector<double> sums;
+    for (std::size_t i = 0; i < robots.size(); ++i) sums.push_back(accuracy * errors.sum(i));
+    return sums;
+  };
+  models.springs_doubt = doubt(models.springs.loads, false);
+  models.planned_doubt = placement.settings.method == Method::given
+                             ? models.springs_doubt
+                             : doubt(planned_loads(placement.teams), true);
+  return models;
+}
+
 std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
                                 const std::optional<ModelLoads>& models) {
   if (!models) model = LoadModel::plan;
   const std::vector<double> loads = loads_of(model, placement, models);
-  if (models && has_ranges(model) && models->disturbance.any())
-    return load_ranges(loads, models->changes);
+  if (models && has_ranges(model) && models->are_ranges())
+    return load_ranges(loads, changes_of(model, *models));
   return single(loads);
 }
 
 bool may_let_go(LoadModel model, const Placement& placement,
                 const std::optional<ModelLoads>& models) {
-  return models && has_ranges(model) && models->disturbance.any() &&
-         evenlift::may_let_go(loads_of(model, placement, models), models->changes);
+  return models && has_ranges(model) && models->are_ranges() &&
+         evenlift::may_let_go(loads_of(model, placement, models), changes_of(model, *models));
 }
 
 std::vector<LoadRange> loads_when_disturbed(const ShownPlacement& of) {

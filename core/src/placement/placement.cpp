@@ -6,6 +6,7 @@
 
 #include "evenlift/balanced.h"
 #include "evenlift/centre_of_mass.h"
+#include "evenlift/numbers.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/selection.h"
 #include "evenlift/settings.h"
@@ -13,6 +14,7 @@
 #include "evenlift/swaps.h"
 #include "evenlift/wording.h"
 #include "placement/describe.h"
+#include "placement/less_accuracy.h"
 
 namespace evenlift {
 namespace {
@@ -144,6 +146,58 @@ Result<std::vector<Candidate>> candidates_of(const Polygon& polygon, const Vec2&
   return std::move(found->candidates);
 }
 
+// The robots that the settings ask for; nothing if it is as many as possible.
+std::optional<std::uint32_t> requested_robots(const Settings& settings) {
+  if (settings.method == Method::balanced) return settings.robots;
+  if (!settings.teams) return std::nullopt;
+  return 2 * *settings.teams;
+}
+
+bool has_room_for_all(const PolygonWithHoles& object, const Vec2& centre,
+                      const Settings& settings) {
+  auto stands = make_stands(object, centre, settings);
+  if (!stands) return false;
+  auto candidates = candidates_of(object, centre, settings, stands->get());
+  if (!candidates) return false;
+  Placement placement(object);
+  placement.stands = *std::move(stands);
+  placement.centre_of_mass = centre;
+  placement.settings = settings;
+  placement.candidates = *std::move(candidates);
+  placement.requested_teams = requested_teams(placement);
+  return !choose_teams(placement, Effort::start) &&
+         count_robots(placement.teams) >= requested_robots(settings).value_or(1);
+}
+
+// With which accuracy the robots would have room; nothing if the accuracy is not the reason.
+std::optional<double> accuracy_with_room(const PolygonWithHoles& object, const Vec2& centre,
+                                         const Settings& settings) {
+  const double asked = settings.accuracy.value_or(0);
+  if (!(asked > 0) || settings.method == Method::given) return std::nullopt;
+  return less_accuracy(asked, [&](double accuracy) {
+    Settings less = settings;
+    less.accuracy = accuracy;
+    return has_room_for_all(object, centre, less);
+  });
+}
+
+InputError with_hint(InputError error, const PolygonWithHoles& object, const Vec2& centre,
+                     const Settings& settings) {
+  const auto robots = requested_robots(settings);
+  const auto less = robots ? accuracy_with_room(object, centre, settings) : std::nullopt;
+  if (!less) return error;
+  return setting_error(Setting::accuracy,
+                       say("no edge has room for robots that may be off by {accuracy}; with "
+                           "{less} there is room for {robots}",
+                           {shortest(*settings.accuracy), shortest(*less), *robots}));
+}
+
+bool is_short(const Placement& placement) {
+  const auto robots = requested_robots(placement.settings);
+  return robots && count_robots(placement.teams) < *robots &&
+         (placement.search_ended || !placement.teams.empty());
+}
+
 std::optional<InputError> check_balanced(const Settings& settings) {
   const std::uint32_t least = 2 * settings.survive + 3;
   if (settings.survive == 0 || settings.robots >= least) return std::nullopt;
@@ -223,7 +277,7 @@ Result<Placement> place(PolygonWithHoles object, const std::optional<Vec2>& own_
   const auto centre = centre_of_mass(object, own_centre, settings);
   if (!centre) return centre.error();
   auto stands = make_stands(object, centre->all, settings);
-  if (!stands) return stands.error();
+  if (!stands) return with_hint(stands.error(), object, centre->all, settings);
   auto candidates = candidates_of(object, centre->all, settings, stands->get());
   if (!candidates) return candidates.error();
   if (swaps_teams(settings))
@@ -241,6 +295,9 @@ Result<Placement> place(PolygonWithHoles object, const std::optional<Vec2>& own_
   // If all robots were moved by hand, there is no search.
   if (moved.robots.empty())
     if (auto error = choose_teams(placement, effort)) return *std::move(error);
+  if (moved.robots.empty() && is_short(placement))
+    placement.accuracy_with_room =
+        accuracy_with_room(placement.object, placement.centre_of_mass, settings);
   if (!moved.any()) {
     describe_grasp(placement);
   } else if (auto error = move_robots(placement, moved)) {

@@ -1,8 +1,27 @@
 #include "placement/robot_drift.h"
 
+#include "evenlift/tolerance.h"
 #include "polygon/outline_walk.h"
 
 namespace evenlift {
+namespace {
+
+// On along the outline, or back.
+ErrorDirection along_outline(const Polygon& polygon, const LiftingPoint& point) {
+  const double near = near_distance(polygon.diameter());
+  const auto along = [&](std::size_t edge) {
+    const Vec2 way = polygon.edge_end(edge) - polygon.edge_start(edge);
+    return way / length(way);
+  };
+  std::size_t on = point.edge, back = point.edge;
+  if (length(point.position - polygon.edge_start(point.edge)) <= near)
+    back = polygon.previous(point.edge);
+  else if (length(point.position - polygon.edge_end(point.edge)) <= near)
+    on = polygon.next(point.edge);
+  return {ErrorDirection::Kind::along, {along(on), -along(back)}};
+}
+
+}  // namespace
 
 RobotDrift::RobotDrift(const Polygon& polygon, const LiftingPoint& contact, bool in_notch)
     : polygon_(polygon), contact_(contact), in_notch_(in_notch) {}
@@ -23,6 +42,22 @@ std::vector<RobotDrift> drifts_of(const Placement& placement) {
   for (std::size_t i = 0; i < points.size(); ++i)
     drifts.emplace_back(placement.polygon(), points[i], in_notch[i]);
   return drifts;
+}
+
+std::vector<ErrorDirection> error_directions(const Placement& placement,
+                                             const std::vector<RobotDrift>& drifts) {
+  using Kind = ErrorDirection::Kind;
+  const Polygon& polygon = placement.polygon();
+  std::vector<ErrorDirection> directions;
+  for (const LiftingPoint& point : lifting_points(placement.teams)) {
+    ErrorDirection direction;
+    if (point.edge == beneath)
+      direction.kind = Kind::any;
+    else if (!drifts[directions.size()].is_fixed())
+      direction = along_outline(polygon, point);
+    directions.push_back(direction);
+  }
+  return directions;
 }
 
 }  // namespace evenlift

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "evenlift/placement.h"
+#include "robustness/load_errors.h"
 
 namespace evenlift {
 
@@ -28,5 +29,9 @@ class RobotDrift {
 
 // The drifts of all robots of a placement, in their order. O(m log n).
 std::vector<RobotDrift> drifts_of(const Placement& placement);
+
+// Where these robots, which have these drifts, may be off. O(m).
+std::vector<ErrorDirection> error_directions(const Placement& placement,
+                                             const std::vector<RobotDrift>& drifts);
 
 }  // namespace evenlift

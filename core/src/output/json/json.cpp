@@ -57,7 +57,7 @@ std::string loads_json(const Placement& placement, const std::optional<ModelLoad
                                        {"spread", json::number(loads->spread)},
                                        {"max_share", json::number(loads->max_share)},
                                        {"models", json::models(models, 2)}};
-  if (models && models->disturbance.any()) {
+  if (models && models->are_ranges()) {
     members.push_back({"ranges", json::ranges(loads_by(LoadModel::plan, placement, models))});
     members.push_back(
         {"may_let_go", json::boolean(may_let_go(LoadModel::plan, placement, models))});
@@ -236,8 +236,9 @@ std::string placement_json(const ShownPlacement& of, bool with_candidates,
   const Settings& settings = placement.settings;
   const Document asked{{}, {}, settings, of.shown, {}};
   const bool robots = !placement.teams.empty();
-  const std::optional<ModelLoads> models =
+  std::optional<ModelLoads> models =
       robots ? model_loads(placement, disturbance_of(of.shown)) : std::nullopt;
+  if (models) models = with_inaccuracy(*std::move(models), placement);
   const bool given = settings.method == Method::given;
   std::vector<json::Member> members = {{"polygon", json::points(placement.vertices(), 1)}};
   add_holes(members, placement.object.rings_of_holes());

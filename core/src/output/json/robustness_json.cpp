@@ -125,7 +125,7 @@ std::string robustness(const ShownPlacement& of, const std::optional<ModelLoads>
     members.push_back({"com_radius", number(com_radius)});
     members.push_back({"exact_within", models ? number(models->springs.same_within) : "null"});
   }
-  if (models && models->disturbance.any()) {
+  if (models && models->are_ranges()) {
     members.push_back({"plan_ranges", ranges(loads_by(LoadModel::plan, placement, models))});
     members.push_back({"springs_ranges", ranges(loads_by(LoadModel::springs, placement, models))});
   }

@@ -53,6 +53,7 @@ std::string broken_in_words(const ShownPlacement& of, const Accuracy& all) {
 // For the accuracy that is asked for.
 std::string with_asked(const ShownPlacement& of, const Accuracy& all) {
   const Units& units = of.shown.units;
+  if (of.placement.teams.empty()) return {};
   if (std::string broken = broken_in_words(of, all); !broken.empty()) return broken;
   const std::string asked = with_length_unit(plain(all.asked), units);
   if (!all.greatest)

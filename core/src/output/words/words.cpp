@@ -301,7 +301,9 @@ std::string unusable_in_words(WhyUnusable why, const RobotSize& robot, const Uni
   return say("too short for a robot between its neighbours");
 }
 
-std::string shortage_in_words(const Placement& placement) {
+namespace {
+
+std::string why_short(const Placement& placement) {
   const bool by_ratio = selects_candidates(placement.settings.method);
   const std::size_t teams = placement.teams.size();
   if (teams == 0 && !placement.search_ended) return {};
@@ -335,6 +337,21 @@ std::string shortage_in_words(const Placement& placement) {
       : by_ratio ? "There is room for only {teams} of {requested} at this minimum load ratio."
                  : "There is room for only {teams} of {requested}.",
       {teams, count_of(placement.requested_teams, "team", "teams")});
+}
+
+}  // namespace
+
+std::string shortage_in_words(const Placement& placement) {
+  std::string why = why_short(placement);
+  if (why.empty() || !placement.accuracy_with_room) return why;
+  const Settings& settings = placement.settings;
+  const std::size_t robots =
+      settings.method == Method::balanced ? settings.robots : 2 * placement.requested_teams;
+  return why + " " +
+         say("That is for robots that may be off by {accuracy}; with {less} there is room for {robots}.",
+             {plain(*settings.accuracy),
+              significant(*placement.accuracy_with_room, 2, Toward::down),
+              count_of(robots, "robot", "robots")});
 }
 
 std::string cut_short_in_words(const Placement& placement) {
