@@ -51,6 +51,16 @@ TEST_CASE("a search for many robots on a winding outline ends by its limit, and 
   CHECK(search.robots.size() == robots.size());
 }
 
+TEST_CASE("robots with a size find places on tens of thousands of short edges",
+          "[balanced][stands][slow]") {
+  Document document = generated(Family::convex, 50000);
+  document.settings.method = Method::balanced;
+  document.settings.robots = 5;
+  document.settings.robot.radius = 3;
+  const Placement placement = place(document).value();
+  CHECK(lifting_points(placement.teams).size() == 5);
+}
+
 TEST_CASE("a usual search does not meet its limit", "[balanced]") {
   Document document = generated(Family::random, 50);
   document.settings.method = Method::balanced;

@@ -152,19 +152,21 @@ class UsableSets {
   }
 
   // Distributes `left` robots over the intervals from `from` on. `reach` bounds the sum of the
-  // robots so far in each direction of the compass.
+  // robots so far in each direction of the compass. The stack grows with robots only, not with
+  // intervals that stay without one.
   void choose(std::size_t from, std::uint32_t left, const Reach& reach) {
     if (left == 0) return settle_and_keep();
-    if (from == intervals_.size() || ++nodes_ > most_nodes || !can_balance(from, left, reach))
-      return;
-    const Interval& interval = intervals_[from];
-    const Reach of_one = reach_of(interval);
-    for (std::uint32_t robots = std::min(left, interval.most) + 1; robots-- > 0;) {
-      Reach sum = reach;
-      for (std::size_t u = 0; u < compass.size(); ++u) sum[u] += robots * of_one[u];
-      if (robots > 0) chosen_.push_back({from, robots});
-      choose(from + 1, left - robots, sum);
-      if (robots > 0) chosen_.pop_back();
+    for (; from < intervals_.size(); ++from) {
+      if (++nodes_ > most_nodes || !can_balance(from, left, reach)) return;
+      const Interval& interval = intervals_[from];
+      const Reach of_one = reach_of(interval);
+      for (std::uint32_t robots = std::min(left, interval.most); robots > 0; --robots) {
+        Reach sum = reach;
+        for (std::size_t u = 0; u < compass.size(); ++u) sum[u] += robots * of_one[u];
+        chosen_.push_back({from, robots});
+        choose(from + 1, left - robots, sum);
+        chosen_.pop_back();
+      }
     }
   }
 
