@@ -422,3 +422,68 @@ TEST_CASE("SVG: a curve of a hair that ends where it began is dropped", "[import
   CHECK(widths(svg("<path d='M0 0H90V60H0zM5 5h.0001v.0001z M7 7q.01 0 .01 .01z'/>")) ==
         Widths{90});
 }
+
+TEST_CASE("an open line without a fill encloses nothing beside closed shapes", "[import][svg]") {
+  const auto svg = [](const std::string& inside) {
+    return R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 120 80" fill="none" stroke="red">)" +
+           inside + "</svg>";
+  };
+  const std::string plate = R"(<path d="M0 0H120V80H0Z"/>)",
+                    mark = R"(<polyline points="20,20 50,60 80,20"/>)",
+                    across = R"(<path d="M-10 20 L50 60 L130 20"/>)";
+  const Import marked = read_shapes(svg(plate + mark)).value();
+  REQUIRE(marked.shapes.size() == 1);
+  CHECK(marked.shapes[0].document.holes.empty());
+  CHECK(marked.left_open.size() == 1);
+  CHECK(read_shapes(svg(plate + across)).value().shapes.size() == 1);
+  // Alone, it is closed by a straight edge; with a fill, it is an outline.
+  CHECK(read_shapes(svg(mark)).value().shapes.size() == 1);
+  const std::string filled = R"(<polyline fill="blue" points="0,0 50,70 110,0"/>)";
+  CHECK(read_shapes(svg(filled + mark)).value().shapes.size() == 1);
+}
+
+TEST_CASE("elements of other namespaces are left out of an SVG", "[import][svg]") {
+  const Import found =
+      read_shapes(
+          R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:cad="urn:cad" viewBox="0 0 300 400">)"
+          R"(<cad:rect width="200" height="200"/><rect width="120" height="80"/></svg>)")
+          .value();
+  CHECK(found.shapes.size() == 1);
+  // Another prefix for SVG's own.
+  const Import prefixed =
+      read_shapes(R"(<s:svg xmlns:s="http://www.w3.org/2000/svg" viewBox="0 0 300 400">)"
+                  R"(<s:rect width="120" height="80"/></s:svg>)")
+          .value();
+  CHECK(prefixed.shapes.size() == 1);
+}
+
+TEST_CASE("an SVG's own entities are put in their places, within bounds", "[import][svg]") {
+  const auto svg = [](const std::string& declared, const std::string& inside) {
+    return "<?xml version='1.0'?>\n<!DOCTYPE svg [" + declared +
+           "]>\n<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 400 200'>" + inside + "</svg>";
+  };
+  const std::string plate = R"(<!ENTITY plate "<rect x='150' width='120' height='80'/>">)",
+                    width = "<!ENTITY wide '120'>";
+  CHECK(read_shapes(svg(plate, "<rect width='50' height='50'/><g>&plate;</g>"))
+            .value()
+            .shapes.size() == 2);
+  CHECK(
+      read_shapes(svg(plate + "<!ENTITY both '<g>&plate;</g>'>", "&both;")).value().shapes.size() ==
+      1);
+  const Import wide = read_shapes(svg(width, "<rect width='&wide;' height='80'/>")).value();
+  CHECK(wide.shapes[0].document.vertices[2].x == Approx(120).margin(1e-9));
+  // Entities of other files are not read.
+  CHECK(read_shapes(svg("<!ENTITY far SYSTEM 'far.svg'>", "<rect width='5' height='8'/>&far;"))
+            .value()
+            .shapes.size() == 1);
+  const auto why = [](const std::string& text) { return read_shapes(text).error().message; };
+  CHECK(why(svg("<!ENTITY a '&b;'><!ENTITY b '&a;'>", "&a;")).find("more than eight deep") !=
+        std::string::npos);
+  std::string laughs = "<!ENTITY l0 '" + std::string(1000, 'x') + "'>";
+  for (int i = 1; i < 8; ++i) {
+    laughs += "<!ENTITY l" + std::to_string(i) + " '";
+    for (int k = 0; k < 10; ++k) laughs += "&l" + std::to_string(i - 1) + ";";
+    laughs += "'>";
+  }
+  CHECK(why(svg(laughs, "&l7;")).find("64 MiB") != std::string::npos);
+}

@@ -373,7 +373,53 @@ TEST_CASE("files of other kinds are refused by name", "[import]") {
       {"%\nO1000 (PLATE)\nN10 G21\nN20 G1 X0 Y0\n", "G-code"},
       {"(a plate)\nG90\nG01X1.5Y2\n", "G-code"},
       {";LAYER\nM104 S200\nG28\nG1 X10 Y20 E1\n", "G-code"},
-      {"IN;SP1;PU0,0;PD30,0;", "HPGL"}};
+      {"IN;SP1;PU0,0;PD30,0;", "HPGL"},
+      {R"({"version":0.6,"elements":[{"type":"node","id":1,"lat":47.3,"lon":8.5}]})",
+       "a map server's answer"}};
   for (const auto& [text, kind] : files) CHECK(refusal(text).find(kind) != std::string::npos);
   CHECK(read("solid line\n0 0\n1 0\n1 1\n").shapes.size() == 1);
+}
+
+TEST_CASE("tables that list other things than vertices are refused by what they list", "[import]") {
+  const std::pair<const char*, const char*> tables[] = {
+      {"Name,Length,Width,Thickness\nTop,1200,600,18\nSide,600,400,18\nShelf,1100,380,18\n",
+       "sizes"},
+      {"Teil;L\u00e4nge;Breite\nA;1200;600\nB;600;400\nC;500;30\n", "sizes"},
+      {"xmin,ymin,xmax,ymax\n0,0,120,80\n200,0,250,50\n300,0,320,10\n", "boxes"},
+      {"x_min\ty_min\tx_max\ty_max\n0\t0\t120\t80\n200\t0\t250\t50\n0\t0\t1\t1\n", "boxes"},
+      {"x1,y1,x2,y2\n0,0,120,0\n120,0,120,80\n120,80,0,0\n", "lines from"},
+      {"Corner,1,2,3,4\nx,0,120,120,0\ny,0,0,80,80\nz,5,5,5,5\n", "exchange its rows"},
+      {"0 0.1 0.1 0.3 0.1 0.3 0.2 0.1 0.2\n0 0.5 0.5 0.7 0.5 0.7 0.6 0.5 0.6\n", "four corners"},
+      {"0,0,120,0,120,80,0,80\n200,0,250,0,250,50,200,50\n", "four corners"}};
+  for (const auto& [text, kind] : tables) {
+    INFO(text);
+    CHECK(refusal(text).find(kind) != std::string::npos);
+  }
+  // Coordinates beside sizes are coordinates.
+  CHECK(read("x,y,Length,Width\n0,0,1,1\n3,0,1,1\n3,2,1,1\n").shapes.size() == 1);
+}
+
+TEST_CASE("a column of words or small numbers tells the shapes, whatever its name", "[import]") {
+  const Import found = read(
+      "x,y,plate\n0,0,left\n120,0,left\n120,80,left\n-50,80,right\n-100,80,right\n-100,0,right\n");
+  REQUIRE(found.shapes.size() == 2);
+  CHECK(found.shapes[1].name == "right");
+  CHECK(read("x;y;Bauteil\n0;0;1\n12;0;1\n12;8;1\n-5;8;2\n-9;8;2\n-9;0;2\n").shapes.size() == 2);
+  // Amounts do not, and are named.
+  const Import holes = read("x,y,Dia\n0,0,5\n120,0,5\n120,80,5\n0,80,6\n0,70,6\n0,60,6\n");
+  CHECK(holes.shapes.size() == 1);
+  CHECK(holes.notes == std::vector<std::string>{"the column \"Dia\" was left out"});
+  const Import supports = read("x,y,capacity\n10,10,25\n110,10,25\n110,70,24\n10,70,26\n");
+  CHECK(supports.notes ==
+        std::vector<std::string>{"the column \"capacity\" was left out: if the rows are places of "
+                                 "robots, they are supports, not an outline"});
+}
+
+TEST_CASE("WKT is read as Python prints it", "[import][wkt]") {
+  const Import one = read("<POLYGON ((0 0, 120 0, 120 80, 0 80, 0 0))>\n");
+  REQUIRE(one.shapes.size() == 1);
+  CHECK(one.shapes[0].document.vertices.size() == 4);
+  const Import list = read(
+      "[<POLYGON ((0 0, 120 0, 120 80, 0 80, 0 0))>, <POLYGON ((200 0, 220 0, 220 80, 200 0))>]");
+  CHECK(list.shapes.size() == 2);
 }

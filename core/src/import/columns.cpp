@@ -6,12 +6,12 @@
 #include "evenlift/numbers.h"
 #include "evenlift/wording.h"
 #include "formats/readers.h"
-#include "import/cells.h"
 #include "import/gathering.h"
 #include "import/readers.h"
 #include "import/ring_notes.h"
 #include "import/table_columns.h"
-#include "import/table_headings.h"
+#include "import/tables/cells.h"
+#include "import/tables/table_headings.h"
 #include "import/unit_words.h"
 #include "import/wkt_shapes.h"
 #include "numbers/text_cursor.h"
@@ -75,6 +75,8 @@ class ColumnReader {
   Problem begin_rows(const Line& row, const Fields& cells);
   std::string_view rows_from(const Line& row) const;
   bool take_names(const Line& heading, const Line& row, const Fields& cells);
+  bool may_group(const NamedColumns& named, std::size_t column, const Fields& headings,
+                 const Line& row) const;
   void take_units(const Line& heading);
   void take_words(const std::vector<Line>& words);
   Problem choose(const Line& row, const Fields& cells, const Fields& headings);
@@ -208,15 +210,30 @@ bool ColumnReader::take_names(const Line& heading, const Line& row, const Fields
   if (rows_ > 0) return true;
   std::vector<std::size_t> others;
   for (std::size_t i = 0; i < best->size(); ++i)
-    if (i != x_ && i != y_ && may_tell_shapes((*best)[i])) others.push_back(i);
+    if (i != x_ && i != y_ && (may_tell_shapes((*best)[i]) || may_group(*named_, i, *best, row)))
+      others.push_back(i);
   shapes_ = columns_of_shapes(rows_from(row), style_, others);
   for (const std::size_t column : shapes_)
     gathering_.note(
         say("the column {name} separates the shapes", {in_quotes(clean_name((*best)[column]))}));
-  for (const std::size_t column : named_->heights)
-    gathering_.note(
-        say("the column {name} was left out", {in_quotes(clean_name((*best)[column]))}));
+  for (std::size_t i = 0; i < best->size(); ++i)
+    if (i != x_ && i != y_ && std::find(shapes_.begin(), shapes_.end(), i) == shapes_.end() &&
+        !(*best)[i].empty() && !may_tell_shapes((*best)[i]))
+      gathering_.note(say(tells_capacity((*best)[i])
+                              ? "the column {name} was left out: if the rows are places of robots, "
+                                "they are supports, not an outline"
+                              : "the column {name} was left out",
+                          {in_quotes(clean_name((*best)[i]))}));
   return true;
+}
+
+// Whether a column whose heading says nothing may tell the shapes apart: it has words or small whole
+// numbers, and is none of heights or amounts.
+bool ColumnReader::may_group(const NamedColumns& named, std::size_t column, const Fields& headings,
+                             const Line& row) const {
+  return !tells_amounts(headings[column]) && column_of(headings[column]) == Column::other &&
+         std::find(named.heights.begin(), named.heights.end(), column) == named.heights.end() &&
+         has_words_or_counts(rows_from(row), style_, column);
 }
 
 // A line of units below the names.

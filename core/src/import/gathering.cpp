@@ -231,15 +231,24 @@ void Gathering::add_joined(const std::vector<DrawnPiece>& pieces, bool closes_al
          joined.parts == 1 ? "closed line"
                            : say("{parts} lines and arcs, joined", {joined.parts})});
   if (closes_alone) {
-    for (const std::size_t piece : joining.alone)
-      if (pieces[piece].outline.pieces.size() > 1 || pieces[piece].outline.curved())
-        add({{pieces[piece].outline},
-             pieces[piece].layer,
+    // An open line without a fill encloses nothing, unless the drawing has nothing else.
+    const bool has_closed = !import.shapes.empty() || !drawn_.empty() ||
+                            std::any_of(joining.alone.begin(), joining.alone.end(),
+                                        [&](std::size_t piece) { return pieces[piece].filled; });
+    std::vector<std::size_t> closed;
+    for (const std::size_t piece : joining.alone) {
+      const DrawnPiece& alone = pieces[piece];
+      if (has_closed && !alone.filled) continue;
+      closed.push_back(piece);
+      if (alone.outline.pieces.size() > 1 || alone.outline.curved())
+        add({{alone.outline},
+             alone.layer,
              "open path, closed by a straight edge",
-             pieces[piece].filled ? Fill::nonzero : Fill::none});
+             alone.filled ? Fill::nonzero : Fill::none});
+    }
     std::vector<std::size_t> open;
-    std::set_difference(joining.open.begin(), joining.open.end(), joining.alone.begin(),
-                        joining.alone.end(), std::back_inserter(open));
+    std::set_difference(joining.open.begin(), joining.open.end(), closed.begin(), closed.end(),
+                        std::back_inserter(open));
     joining.open = std::move(open);
   }
   left_open_ = joining.greatest_open;

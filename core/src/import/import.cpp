@@ -46,9 +46,27 @@ Result<Import> read_small(std::string_view text, const char* format) {
   return import;
 }
 
+// Geometries as Python libraries print them, one or a list: "<POLYGON ((…))>". Returns the same text
+// with blanks in place of the brackets, and a line for each geometry; nothing for other texts.
+std::optional<std::string> printed_wkt(std::string_view text) {
+  TextCursor cursor(text);
+  cursor.skip_white_space();
+  if (cursor.take('[')) cursor.skip_white_space();
+  if (!cursor.take('<') || !begins_wkt(cursor)) return std::nullopt;
+  std::string plain(text);
+  bool outside = true;
+  for (char& c : plain) {
+    if (c == '<' || c == '>') outside = c == '>';
+    if (c == '<' || c == '>' || c == '[' || c == ']') c = ' ';
+    if (c == ',' && outside) c = '\n';
+  }
+  return plain;
+}
+
 Result<Import> read_format(std::string_view text, const ImportOptions& options) {
   TextCursor cursor(text);
   cursor.skip_white_space();
+  if (const auto printed = printed_wkt(text)) return read_wkt_shapes(*printed, options);
   if (cursor.at_end()) return cursor.error(ErrorCode::bad_syntax, "the text is empty");
   if (cursor.sees('<')) return read_svg(text, options);
   if (cursor.sees('{') || cursor.sees('[')) {

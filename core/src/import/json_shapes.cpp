@@ -13,7 +13,7 @@
 #include "import/joining/nesting.h"
 #include "import/readers.h"
 #include "import/ring_notes.h"
-#include "import/table_headings.h"
+#include "import/tables/table_headings.h"
 #include "numbers/json_tree.h"
 #include "numbers/text_cursor.h"
 

@@ -7,7 +7,8 @@
 #include <optional>
 
 #include "evenlift/numbers.h"
-#include "import/cells.h"
+#include "import/other_tables.h"
+#include "import/tables/cells.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {
@@ -74,6 +75,10 @@ constexpr char plotter[] =
 constexpr char gerber[] =
     "this is a Gerber file, which evenlift does not read: save the outline of the board as DXF or "
     "SVG";
+
+constexpr char map_answer[] =
+    "this is a map server's answer (OpenStreetMap, Overpass), whose nodes are in no order: ask for "
+    "GeoJSON, or convert it";
 
 // A file shows its kind within these.
 constexpr std::size_t first_lines_of_text = 500, first_bytes = 65536;
@@ -194,6 +199,12 @@ bool is_plotter_file(std::string_view text) {
          (line.starts_with("SP") && contains(line, ";PU"));
 }
 
+// The answer of a map server: nodes, each with its place, and perhaps ways that name them.
+bool is_map_answer(std::string_view text) {
+  return first_line(text).starts_with('{') && contains(text, "\"elements\"") &&
+         contains(text, "\"node\"") && contains(text, "\"lat\"");
+}
+
 bool is_gerber(std::string_view text) { return contains(text, "%FSLA") || contains(text, "%FSTA"); }
 
 struct KindOfText {
@@ -202,9 +213,10 @@ struct KindOfText {
 };
 
 constexpr KindOfText text_kinds[] = {
-    {is_ply, mesh_ply},  {is_text_stl, mesh_stl}, {is_off, mesh_off},
-    {is_obj, mesh_obj},  {is_iges, iges},         {is_autocad_list, autocad_list},
-    {is_gerber, gerber}, {is_g_code, g_code},     {is_plotter_file, plotter},
+    {is_ply, mesh_ply},          {is_text_stl, mesh_stl}, {is_off, mesh_off},
+    {is_obj, mesh_obj},          {is_iges, iges},         {is_autocad_list, autocad_list},
+    {is_gerber, gerber},         {is_g_code, g_code},     {is_plotter_file, plotter},
+    {is_map_answer, map_answer},
 };
 
 }  // namespace
@@ -216,7 +228,7 @@ const char* refusal_of_other_kind(std::string_view text) {
   const std::string_view beginning = text.substr(0, first_bytes);
   for (const KindOfText& kind : text_kinds)
     if (kind.is_kind(beginning)) return kind.refusal;
-  return nullptr;
+  return refusal_of_other_table(beginning);
 }
 
 }  // namespace evenlift

@@ -5,7 +5,7 @@
 #include "evenlift/import.h"
 #include "evenlift/numbers.h"
 #include "evenlift/settings.h"
-#include "import/cells.h"
+#include "import/tables/cells.h"
 #include "numbers/json_tree.h"
 #include "numbers/text_cursor.h"
 

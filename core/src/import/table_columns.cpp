@@ -7,7 +7,7 @@
 
 #include "evenlift/wording.h"
 #include "import/gathering.h"
-#include "import/table_headings.h"
+#include "import/tables/table_headings.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {
@@ -198,6 +198,19 @@ CellStyle style_of_table(std::string_view text) {
   CellStyle style = style_of_first_row(text);
   if (style.separator == ',') style.decimal_comma = has_quoted_decimals(text);
   return style;
+}
+
+bool has_words_or_counts(std::string_view rows, const CellStyle& style, std::size_t column) {
+  constexpr double most = 9999;
+  Lines lines(rows);
+  for (auto line = lines.next(); line; line = lines.next()) {
+    const Fields cells = split_cells(line->text, style.separator);
+    if (column >= cells.size()) continue;
+    const auto number = cell_number(cells[column], style.decimal_comma);
+    if (number && !(*number >= 0 && *number <= most && *number == std::floor(*number)))
+      return false;
+  }
+  return true;
 }
 
 std::vector<std::size_t> columns_of_shapes(std::string_view rows, const CellStyle& style,

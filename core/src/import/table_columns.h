@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "import/cells.h"
+#include "import/tables/cells.h"
 
 namespace evenlift {
 
@@ -28,6 +28,9 @@ bool has_only_digits(const Fields& cells);
 // If commas do, decimal commas are allowed only if a quoted cell has a comma that cannot separate
 // thousands. Only the first 200 lines count. O(first lines).
 CellStyle style_of_table(std::string_view text);
+
+// Whether all cells of a column are words, or whole numbers from 0 to 9999. O(bytes).
+bool has_words_or_counts(std::string_view rows, const CellStyle& style, std::size_t column);
 
 // Returns those of `columns` that consist of two or more runs, each of at least three equal cells.
 // Columns that number or name the shapes have such runs. Columns of coordinates do not, since the

@@ -6,8 +6,8 @@
 #include "evenlift/numbers.h"
 #include "evenlift/wording.h"
 #include "formats/readers.h"
-#include "import/cells.h"
-#include "import/table_headings.h"
+#include "import/tables/cells.h"
+#include "import/tables/table_headings.h"
 
 namespace evenlift {
 namespace {

@@ -1,6 +1,6 @@
 // Reads SVG 1.1, and the parts of SVG 2 that programs write: shapes with an area, with y upwards.
 // pugixml reads the XML; it expands only character references and XML's five entities, and loads
-// nothing.
+// nothing. Entities that the file declares are replaced before (svg_entities.h).
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +8,7 @@
 #include "evenlift/wording.h"
 #include "import/readers.h"
 #include "import/svg/svg_element.h"
+#include "import/svg/svg_entities.h"
 #include "import/svg/svg_reader.h"
 #include "import/unit_words.h"
 #include "numbers/text_cursor.h"
@@ -181,7 +182,9 @@ Result<Import> SvgReader::read() {
 }
 
 Result<Import> read_svg(std::string_view text, const ImportOptions& options) {
-  return SvgReader(text, options).read();
+  const Result<std::optional<std::string>> expanded = with_entities(text);
+  if (!expanded) return expanded.error();
+  return SvgReader(*expanded ? **expanded : text, options).read();
 }
 
 }  // namespace evenlift

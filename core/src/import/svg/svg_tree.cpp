@@ -153,7 +153,7 @@ bool SvgReader::enter(const pugi::xml_node& node, std::string_view name, Context
 std::optional<InputError> SvgReader::element(const pugi::xml_node& node, const Context& context,
                                              int depth) {
   const std::string_view name = local_name(node);
-  if (is_one_of(name, unseen)) return std::nullopt;
+  if (is_one_of(name, unseen) || is_foreign(node)) return std::nullopt;
   Context inside = context;
   if (!enter(node, name, inside)) return std::nullopt;
   if (is_one_of(name, drawn)) {

@@ -1,4 +1,4 @@
-#include "import/cells.h"
+#include "import/tables/cells.h"
 
 #include <algorithm>
 #include <string>

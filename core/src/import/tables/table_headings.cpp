@@ -1,4 +1,4 @@
-#include "import/table_headings.h"
+#include "import/tables/table_headings.h"
 
 #include <algorithm>
 #include <array>
@@ -325,6 +325,23 @@ bool may_tell_shapes(std::string_view heading) {
   const Words words = words_of(heading);
   return column == Column::other &&
          std::any_of(words.begin(), words.end(), [](auto& word) { return is_among(word, shapes); });
+}
+
+bool tells_capacity(std::string_view heading) {
+  static constexpr std::string_view capacities[] = {"capacity",  "capacit\xc3\xa9", "capacidad",
+                                                    "tragkraft", "traglast",        "swl"};
+  const Words words = words_of(heading);
+  return std::any_of(words.begin(), words.end(),
+                     [](auto& word) { return is_among(word, capacities); });
+}
+
+bool tells_amounts(std::string_view heading) {
+  static constexpr std::string_view amounts[] = {"load",     "last",        "charge", "weight",
+                                                 "gewicht",  "poids",       "dia",    "diameter",
+                                                 "diametre", "durchmesser", "radius", "thickness"};
+  const Words words = words_of(heading);
+  return tells_capacity(heading) || std::any_of(words.begin(), words.end(),
+                                                [](auto& word) { return is_among(word, amounts); });
 }
 
 Fields names_among(const Fields& words) {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "evenlift/document.h"
-#include "import/cells.h"
+#include "import/tables/cells.h"
 
 namespace evenlift {
 
@@ -31,6 +31,11 @@ Column column_of(std::string_view heading);
 
 // Whether a column may number or name the shapes: "Name", "fid", "part", "Layer". O(heading).
 bool may_tell_shapes(std::string_view heading);
+
+// Whether a column has capacities, such as "capacity (kg)"; or these or other amounts, such as "Dia".
+// O(heading).
+bool tells_capacity(std::string_view heading);
+bool tells_amounts(std::string_view heading);
 
 // The words that name columns, such as X and Y in "X coord Y coord". Words such as "coord" are
 // passed over. Empty if there is any other word, since the line may be prose. O(words).
