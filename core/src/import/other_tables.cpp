@@ -16,14 +16,14 @@
 namespace evenlift {
 namespace {
 
-constexpr std::size_t first_rows = 100;
+constexpr std::size_t first_rows_of_table = 100;
 
 using Table = std::vector<Fields>;
 
 Table rows_of(std::string_view text) {
   Table rows;
   Lines lines(text);
-  for (auto line = lines.next(); line && rows.size() < first_rows; line = lines.next())
+  for (auto line = lines.next(); line && rows.size() < first_rows_of_table; line = lines.next())
     rows.push_back(split_cells(line->text, separator_of(line->text)));
   return rows;
 }
@@ -113,7 +113,7 @@ struct KindOfTable {
   const char* refusal;
 };
 
-constexpr KindOfTable kinds[] = {
+constexpr KindOfTable table_kinds[] = {
     {lists_sizes, "this table lists sizes of parts (length, width), not coordinates of vertices"},
     {lists_boxes,
      "this table lists boxes (xmin, ymin, xmax, ymax), not vertices: write the corners of one, a line "
@@ -132,7 +132,7 @@ constexpr KindOfTable kinds[] = {
 const char* refusal_of_other_table(std::string_view beginning) {
   const Table rows = rows_of(beginning);
   if (rows.empty()) return nullptr;
-  for (const KindOfTable& kind : kinds)
+  for (const KindOfTable& kind : table_kinds)
     if (kind.is_kind(rows)) return kind.refusal;
   return nullptr;
 }

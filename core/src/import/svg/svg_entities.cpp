@@ -10,8 +10,8 @@ namespace evenlift {
 namespace {
 
 constexpr std::size_t most_bytes = std::size_t{1} << 26, most_entities = 1000;
-constexpr int deepest = 8;
-constexpr std::string_view space = " \t\r\n";
+constexpr int deepest_entity = 8;
+constexpr std::string_view xml_space = " \t\r\n";
 
 using Entities = std::map<std::string_view, std::string_view>;
 
@@ -45,10 +45,10 @@ Entities entities_of(std::string_view declared) {
        at != std::string_view::npos && entities.size() < most_entities;
        at = declared.find(begin, at)) {
     at += begin.size();
-    const std::size_t name = declared.find_first_not_of(space, at);
+    const std::size_t name = declared.find_first_not_of(xml_space, at);
     if (name == std::string_view::npos) break;
-    const std::size_t end = declared.find_first_of(space, name);
-    const std::size_t quote = declared.find_first_not_of(space, end);
+    const std::size_t end = declared.find_first_of(xml_space, name);
+    const std::size_t quote = declared.find_first_not_of(xml_space, end);
     if (quote == std::string_view::npos) break;
     if (declared[quote] != '"' && declared[quote] != '\'') continue;
     const std::size_t close = declared.find(declared[quote], quote + 1);
@@ -66,7 +66,7 @@ class Expansion {
   explicit Expansion(const Entities& entities) : entities_(entities) {}
 
   std::optional<InputError> add(std::string_view text, int depth) {
-    if (depth > deepest)
+    if (depth > deepest_entity)
       return InputError{
           ErrorCode::unsupported, "the SVG's entities contain each other more than eight deep", {}};
     for (std::size_t at = 0; at < text.size();) {
