@@ -388,7 +388,7 @@ TEST_CASE("tables that list other things than vertices are refused by what they 
       {"xmin,ymin,xmax,ymax\n0,0,120,80\n200,0,250,50\n300,0,320,10\n", "boxes"},
       {"x_min\ty_min\tx_max\ty_max\n0\t0\t120\t80\n200\t0\t250\t50\n0\t0\t1\t1\n", "boxes"},
       {"x1,y1,x2,y2\n0,0,120,0\n120,0,120,80\n120,80,0,0\n", "lines from"},
-      {"Corner,1,2,3,4\nx,0,120,120,0\ny,0,0,80,80\nz,5,5,5,5\n", "exchange its rows"},
+      {"Corner,1,2,3,4\nx,0,120,120,0\ny,0,0,80,80\nz,5,5,5,5\n", "swap its rows"},
       {"0 0.1 0.1 0.3 0.1 0.3 0.2 0.1 0.2\n0 0.5 0.5 0.7 0.5 0.7 0.6 0.5 0.6\n", "four corners"},
       {"0,0,120,0,120,80,0,80\n200,0,250,0,250,50,200,50\n", "four corners"}};
   for (const auto& [text, kind] : tables) {

@@ -121,7 +121,7 @@ constexpr KindOfTable table_kinds[] = {
     {lists_segments,
      "this table lists lines from (x1, y1) to (x2, y2), not vertices: save the drawing as DXF or SVG"},
     {is_transposed,
-     "this table has all x in one row and all y in another: exchange its rows and columns"},
+     "this table has all x in one row and all y in another: swap its rows and columns"},
     {lists_four_corners,
      "each row has four corners: write the corners of a shape in a line each, with a blank line "
      "between shapes"},
