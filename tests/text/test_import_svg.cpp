@@ -486,4 +486,12 @@ TEST_CASE("an SVG's own entities are put in their places, within bounds", "[impo
     laughs += "'>";
   }
   CHECK(why(svg(laughs, "&l7;")).find("64 MiB") != std::string::npos);
+  // Entities that leave nothing behind are counted, too.
+  std::string silence = "<!ENTITY s0 ''>";
+  for (int i = 1; i < 8; ++i) {
+    silence += "<!ENTITY s" + std::to_string(i) + " '";
+    for (int k = 0; k < 40; ++k) silence += "&s" + std::to_string(i - 1) + ";";
+    silence += "'>";
+  }
+  CHECK(why(svg(silence, "&s7;")).find("64 MiB") != std::string::npos);
 }

@@ -10,8 +10,8 @@
 // 2. if the setting `survive` is F > 0: the larger number of failures, counted up to F, after which
 //    C is at least `clear` inside the hull of the other robots, whichever robots fail;
 // 3. for the goal `hold`: the higher level. The level is the number of thresholds 0.001, 0.4 mu and
-//    mu that the margin reaches, and 0 if the hold is not firm (closure.h). Here mu is min_margin, and only contacts at least `clear` from
-//    every corner count for the margin;
+//    mu that the margin reaches, and 0 if the hold is not firm (closure.h). Here mu is min_margin,
+//    and only contacts at least `clear` from every corner count for the margin;
 // 4. the larger coverage, by more than 1e-9;
 // 5. the larger sum of |p - C|^2 over the robots' places p, by more than 1e-9 of it;
 // 6. the smaller places along the outline: the first robot whose places in the two sets differ by

@@ -72,9 +72,9 @@ std::optional<ModelLoads> model_loads(const Placement& placement,
 ModelLoads with_inaccuracy(ModelLoads models, const Placement& placement);
 
 // Returns the load of each robot by a model, for display. The load is a range if there is a
-// disturbance or an inaccuracy and the model has ranges (uncertainty.h), otherwise one value. For the model `best`,
-// the value of every robot is the least possible greatest load. Without `models` the loads are as
-// planned. O(m).
+// disturbance or an inaccuracy, and the model has ranges (uncertainty.h); otherwise it is one value.
+// For the model `best`, the value of every robot is the least possible greatest load. Without
+// `models` the loads are as planned. O(m).
 std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
                                 const std::optional<ModelLoads>& models);
 

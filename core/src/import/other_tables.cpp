@@ -56,8 +56,8 @@ bool lists_sizes(const Table& rows) {
 }
 
 bool lists_boxes(const Table& rows) {
-  constexpr std::array<std::string_view, 3> least{"xmin", "minx", "x0min"};
-  constexpr std::array<std::string_view, 3> greatest{"xmax", "maxx", "x0max"};
+  constexpr std::array<std::string_view, 2> least{"xmin", "minx"};
+  constexpr std::array<std::string_view, 2> greatest{"xmax", "maxx"};
   return has_heading(rows[0], least) && has_heading(rows[0], greatest);
 }
 

@@ -143,9 +143,10 @@ ModelLoads with_inaccuracy(ModelLoads models, const Placement& placement) {
   models.changes.others_may_carry = at_worst.others_may_carry;
   models.changes.at_worst = std::move(at_worst.at_worst);
   models.changes.at_least = std::move(at_worst.at_least);
+  const auto directions = error_directions(placement, drifts_of(placement));
   const auto doubt = [&](const std::vector<double>& loads, bool are_planned) {
     const LoadErrors errors(robots, centre, known_size(robots, centre, size), weight, loads,
-                            are_planned, error_directions(placement, drifts_of(placement)));
+                            are_planned, directions);
     std::vector<double> sums;
     for (std::size_t i = 0; i < robots.size(); ++i) sums.push_back(accuracy * errors.sum(i));
     return sums;

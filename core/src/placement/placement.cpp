@@ -169,14 +169,18 @@ bool has_room_for_all(const PolygonWithHoles& object, const Vec2& centre,
          count_robots(placement.teams) >= requested_robots(settings).value_or(1);
 }
 
-// With which accuracy the robots would have room; nothing if the accuracy is not the reason.
+// With which accuracy the robots would have room; nothing if the accuracy is not the reason, or if
+// trying would take long. Swaps would not change the number of teams.
 std::optional<double> accuracy_with_room(const PolygonWithHoles& object, const Vec2& centre,
                                          const Settings& settings) {
   const double asked = settings.accuracy.value_or(0);
-  if (!(asked > 0) || settings.method == Method::given) return std::nullopt;
+  constexpr std::size_t most_vertices = 2000;
+  if (!(asked > 0) || settings.method == Method::given || object.boundary().size() > most_vertices)
+    return std::nullopt;
   return less_accuracy(asked, [&](double accuracy) {
     Settings less = settings;
     less.accuracy = accuracy;
+    if (less.method != Method::balanced) less.goal = Goal::cover;
     return has_room_for_all(object, centre, less);
   });
 }

@@ -22,9 +22,15 @@ inline bool is_foreign(const pugi::xml_node& node) {
   const std::size_t colon = name.find(':');
   if (colon == std::string_view::npos) return false;
   const std::string declared = "xmlns:" + std::string(name.substr(0, colon));
-  for (pugi::xml_node each = node; each; each = each.parent())
-    if (const pugi::xml_attribute found = each.attribute(declared.c_str()))
-      return std::string_view(found.value()) != "http://www.w3.org/2000/svg";
+  constexpr int most_looked_at = 100;  // of the attributes of an element
+  for (pugi::xml_node each = node; each; each = each.parent()) {
+    int looked_at = 0;
+    for (const pugi::xml_attribute attribute : each.attributes()) {
+      if (++looked_at > most_looked_at) break;
+      if (declared == attribute.name())
+        return std::string_view(attribute.value()) != "http://www.w3.org/2000/svg";
+    }
+  }
   return false;  // a prefix that nothing declares is taken for SVG's
 }
 

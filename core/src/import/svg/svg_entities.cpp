@@ -10,6 +10,7 @@ namespace evenlift {
 namespace {
 
 constexpr std::size_t most_bytes = std::size_t{1} << 26, most_entities = 1000;
+constexpr std::size_t longest_name = 256;
 constexpr int deepest_entity = 8;
 constexpr std::string_view xml_space = " \t\r\n";
 
@@ -69,24 +70,26 @@ class Expansion {
     if (depth > deepest_entity)
       return InputError{
           ErrorCode::unsupported, "the SVG's entities contain each other more than eight deep", {}};
+    // Also of entities that leave nothing behind.
+    read_ += text.size() + 1;
+    if (read_ > most_bytes)
+      return InputError{
+          ErrorCode::unsupported, "the SVG with its entities is longer than 64 MiB", {}};
     for (std::size_t at = 0; at < text.size();) {
       const std::size_t mark = std::min(text.find('&', at), text.size());
       expanded_ += text.substr(at, mark - at);
-      if (expanded_.size() > most_bytes)
-        return InputError{
-            ErrorCode::unsupported, "the SVG with its entities is longer than 64 MiB", {}};
       at = mark;
       if (at == text.size()) break;
-      const std::size_t end = text.find(';', at);
-      const auto entity = end == std::string_view::npos
+      const std::size_t size = text.substr(at, longest_name).find(';');
+      const auto entity = size == std::string_view::npos
                               ? entities_.end()
-                              : entities_.find(text.substr(at + 1, end - at - 1));
+                              : entities_.find(text.substr(at + 1, size - 1));
       if (entity == entities_.end()) {
         expanded_ += text[at++];
         continue;
       }
       if (auto error = add(entity->second, depth + 1)) return error;
-      at = end + 1;
+      at += size + 1;
     }
     return std::nullopt;
   }
@@ -96,6 +99,7 @@ class Expansion {
  private:
   const Entities& entities_;
   std::string expanded_;
+  std::size_t read_ = 0;  // no less than the size of expanded_
 };
 
 }  // namespace
