@@ -10,7 +10,7 @@ namespace evenlift {
 namespace {
 
 constexpr std::size_t most_bytes = std::size_t{1} << 26, most_entities = 1000;
-constexpr std::size_t longest_name = 256;
+constexpr std::size_t longest_entity_name = 256;
 constexpr int deepest_entity = 8;
 constexpr std::string_view xml_space = " \t\r\n";
 
@@ -80,7 +80,7 @@ class Expansion {
       expanded_ += text.substr(at, mark - at);
       at = mark;
       if (at == text.size()) break;
-      const std::size_t size = text.substr(at, longest_name).find(';');
+      const std::size_t size = text.substr(at, longest_entity_name).find(';');
       const auto entity = size == std::string_view::npos
                               ? entities_.end()
                               : entities_.find(text.substr(at + 1, size - 1));
