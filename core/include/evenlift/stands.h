@@ -63,8 +63,8 @@ struct EdgeFrame {
 struct StandReserve {
   double accuracy = 0;     // robots may be off along the outline by this
   double from_corner = 0;  // the distance of contacts from corners, at least `accuracy`
-  // For bodies: this part of the length of a robot's room, from its ends; and this length, but no
-  // more than a quarter of the room.
+  // For bodies: this part of the length of a robot's room, from its ends; and this length from its
+  // ends and from bends, but no more than a quarter of the room between them.
   double part = 0, length = 0;
 };
 

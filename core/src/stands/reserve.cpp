@@ -39,9 +39,7 @@ std::vector<double> Stands::drifts(const Polygon& polygon, double accuracy) cons
 }
 
 Stands::Parts Stands::usable_parts(const Polygon& polygon, const StandReserve& reserve) const {
-  const auto of_room = [&](double room) {
-    return std::max(reserve.part * room, std::min(reserve.length, room / 4));
-  };
+  const auto of_digits = [&](double room) { return std::min(reserve.length, room / 4); };
   // What must be left free at an end of a part.
   const auto kept = [&](std::uint32_t edge, const Stretch& part, bool on) {
     const double to_vertex = on ? frames_[edge].length - part.to : part.from;
@@ -53,8 +51,10 @@ Stands::Parts Stands::usable_parts(const Polygon& polygon, const StandReserve& r
     // A robot without a body is pressed into the notch.
     if (beyond.vertex && polygon.is_notch(*beyond.vertex) && !has_body()) return 0.0;
     double least = std::max(0.0, needed - beyond.length);
+    // Also at a bend, so that a place that is typed stays on its side.
+    if (has_body()) least = std::max(least, of_digits(part.to - part.from));
     if (beyond.length == 0 && has_body())
-      least = std::max({least, reserve.accuracy, of_room(part.to - part.from)});
+      least = std::max({least, reserve.accuracy, reserve.part * (part.to - part.from)});
     return polygon.is_corner(vertex) ? std::max(least, reserve.from_corner - to_vertex) : least;
   };
   Parts usable;
