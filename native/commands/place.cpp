@@ -3,14 +3,12 @@
 #include "commands/commands.h"
 #include "commands/place_all.h"
 #include "commands/place_options.h"
-#include "evenlift/capacity.h"
 #include "evenlift/link.h"
 #include "evenlift/output/json.h"
 #include "evenlift/output/markup.h"
-#include "evenlift/output/robustness_words.h"
+#include "evenlift/output/quantities.h"
 #include "evenlift/output/svg.h"
 #include "evenlift/output/verdict.h"
-#include "evenlift/output/words.h"
 #include "evenlift/placement.h"
 #include "evenlift/supports.h"
 #include "evenlift/tolerance.h"
@@ -21,49 +19,47 @@
 namespace evenlift::native {
 namespace {
 
-std::string overloaded(double load1, double load2, double capacity) {
-  const bool first = exceeds(load1, capacity), second = exceeds(load2, capacity);
-  return first && second ? "both" : first ? "first" : second ? "second" : "-";
+bool is_overloaded(const Reported& of, std::size_t robot) {
+  const std::vector<std::size_t>& all = of.report.overloaded;
+  return std::find(all.begin(), all.end(), robot) != all.end();
 }
 
-std::string robot_table(const ShownPlacement& of, const ShownLoads& shown) {
+std::string robot_table(const Reported& of, const LoadColumn& loads) {
   const Placement& placement = of.placement;
+  const Report& report = of.report;
   const bool given = placement.settings.method == Method::given;
-  const bool has_own = has_own_capacities(of);
   const Team& team = placement.teams.front();
   const TeamInWords words = team_in_words(placement, 0, place_decimals(placement));
-  std::vector<Row> rows = {{"robot", "at", shown.heading}};
+  std::vector<Row> rows = {{"robot", "at", loads.heading}};
   if (given) rows[0].insert(rows[0].begin() + 2, "stands");
-  if (has_own) rows[0].push_back("capacity");
-  if (has_capacities(of)) rows[0].push_back(shown.overloaded);
+  if (report.has_own_capacities) rows[0].push_back("capacity");
+  if (report.has_capacities) rows[0].push_back(loads.overloaded);
   for (std::size_t i = 0; i < team.robots.size(); ++i) {
     const bool carries = placement.loads.has_value();
-    rows.push_back({std::to_string(i + 1), words.at[i], carries ? shown.text[i] : "-"});
+    rows.push_back({std::to_string(i + 1), words.at[i], carries ? loads.text[i] : "-"});
     if (given)
       rows.back().insert(rows.back().begin() + 2,
                          team.robots[i].point.edge == beneath ? "beneath" : "at the edge");
-    const std::optional<double> capacity = capacity_of(of, i);
-    if (has_own) rows.back().push_back(capacity ? plain(*capacity) : "-");
-    if (has_capacities(of))
-      rows.back().push_back(capacity && exceeds(shown.greatest[i], *capacity) ? "yes" : "-");
+    if (report.has_own_capacities)
+      rows.back().push_back(report.capacities[i] ? plain(*report.capacities[i]) : "-");
+    if (report.has_capacities) rows.back().push_back(is_overloaded(of, i) ? "yes" : "-");
   }
   return table(rows);
 }
 
-std::string team_table(const ShownPlacement& of, const ShownLoads& shown) {
+std::string team_table(const Reported& of, const LoadColumn& loads) {
   const Placement& placement = of.placement;
-  const std::optional<double>& capacity = of.shown.capacity;
-  if (is_one_team(placement.settings.method)) return robot_table(of, shown);
+  if (is_one_team(placement.settings.method)) return robot_table(of, loads);
   const int decimals = place_decimals(placement);
-  std::vector<Row> rows = {{"team", "ratio", "robot at", shown.heading, "robot at", shown.heading}};
-  if (capacity) rows[0].push_back(shown.overloaded);
+  std::vector<Row> rows = {{"team", "ratio", "robot at", loads.heading, "robot at", loads.heading}};
+  if (of.report.has_capacities) rows[0].push_back(loads.overloaded);
   for (std::size_t i = 0; i < placement.teams.size(); ++i) {
     const TeamInWords team = team_in_words(placement, i, decimals);
-    rows.push_back({std::to_string(i + 1), team.ratio, team.at[0], shown.text[2 * i], team.at[1],
-                    shown.text[2 * i + 1]});
-    if (capacity)
-      rows.back().push_back(
-          overloaded(shown.greatest[2 * i], shown.greatest[2 * i + 1], *capacity));
+    rows.push_back({std::to_string(i + 1), team.ratio, team.at[0], loads.text[2 * i], team.at[1],
+                    loads.text[2 * i + 1]});
+    const bool first = is_overloaded(of, 2 * i), second = is_overloaded(of, 2 * i + 1);
+    if (of.report.has_capacities)
+      rows.back().push_back(first && second ? "both" : first ? "first" : second ? "second" : "-");
   }
   return table(rows);
 }
@@ -85,7 +81,7 @@ std::string candidate_table(const Placement& placement) {
 }
 
 // Settings and results, one on each line.
-std::string facts(const ShownPlacement& of, const Robustness& robustness) {
+std::string facts(const Reported& of) {
   const Placement& placement = of.placement;
   const Settings& settings = placement.settings;
   std::vector<std::pair<std::string, std::string>> lines = {
@@ -115,8 +111,6 @@ std::string facts(const ShownPlacement& of, const Robustness& robustness) {
   lines.emplace_back("Centre of mass", point_in_words(placement.centre_of_mass,
                                                       coordinate_decimals(placement.vertices())));
   for (const Fact& fact : facts_in_words(of)) lines.emplace_back(fact.label, fact.value);
-  for (const Fact& fact : robustness_facts(of, robustness))
-    lines.emplace_back(fact.label, fact.value);
   std::size_t widest = 0;
   for (const auto& [label, value] : lines) widest = std::max(widest, character_count(label));
   std::string text;
@@ -125,49 +119,36 @@ std::string facts(const ShownPlacement& of, const Robustness& robustness) {
   return text;
 }
 
-std::string for_people(const ShownPlacement& of, bool with_candidates,
-                       const std::optional<CapacityInJson>& capacity, const RobustnessAsked& asked,
+std::string for_people(const Reported& of, bool with_candidates,
                        const std::vector<Requirement>& requirements) {
   const Placement& placement = of.placement;
-  const RobustnessKnown known(placement, asked);
-  const LoadModel model = known.models ? asked.model : LoadModel::plan;
-  std::string sentences, tables;
-  std::vector<double> greatest;
-  if (placement.teams.empty()) {
-    sentences = verdict(of, model) + "\n";
-  } else {
-    const ShownLoads shown = loads_for_table(of, known);
-    sentences = verdict(of, model, shown.ranges) + "\n";
-    tables += team_table(of, shown) + "\n";
-    greatest = shown.greatest;
-  }
+  std::string sentences = verdict(of) + "\n", tables;
+  if (!placement.teams.empty()) tables += team_table(of, load_column(of)) + "\n";
   const std::string cut_short = cut_short_in_words(placement);
   if (!cut_short.empty()) sentences += cut_short + "\n";
-  if (capacity) {
+  if (of.report.has_capacities) {
     // The first line names the overloaded robots.
-    const std::vector<std::size_t> overloaded = overloaded_robots(of, greatest);
-    const FailurePlan* spare = &*capacity->if_one_fails;
     const std::string line =
-        overloaded.empty()
-            ? capacity_in_words(of, &capacity->plan, overloaded, model, std::nullopt, spare)
-            : needs_in_words(of, &capacity->plan, model, std::nullopt, spare);
+        of.report.overloaded.empty() ? capacity_in_words(of) : needs_in_words(of);
     if (!line.empty()) sentences += line + "\n";
   }
-  sentences += robustness_lines(of, known);
+  sentences += robustness_lines(of);
   for (const std::string& misfit : misfits_in_words(of)) sentences += misfit + "\n";
   for (const Requirement& requirement : requirements)
     sentences += requirement_in_words(requirement) + "\n";
-  if (asked.failures && placement.loads) tables += failure_table(of, known) + "\n";
+  if (placement.loads && !of.report.failures.empty()) tables += failure_table(of) + "\n";
   if (with_candidates && !placement.candidates.empty()) tables += candidate_table(placement) + "\n";
-  return sentences + "\n" + tables + facts(of, known.robustness);
+  return sentences + "\n" + tables + facts(of);
 }
 
 // SVG that contains the share link, unless the polygon is too large for one.
-std::string picture(const Placement& placement, const Document& document, bool with_candidates) {
-  Shown shown = document.shown;
+std::string picture(const Reported& of, const Document& document, bool with_candidates) {
+  Shown shown = of.shown;
   shown.overlays.candidates |= with_candidates;
+  Report report = of.report;
+  complete(report, of, {});  // loads as planned
   const Result<std::string> link = encode_link(document);
-  return placement_svg({placement, shown}, link ? *link : std::string());
+  return placement_svg({{of.placement, shown}, report}, link ? *link : std::string());
 }
 
 // All outputs must go to different files.
@@ -198,7 +179,7 @@ struct Outputs {
 };
 
 Outputs make_outputs(const Input& input, const PlaceOptions& options,
-                     const std::optional<PosesAsked>& poses, const RobustnessAsked& asked,
+                     const std::optional<PosesAsked>& poses, Asked asked,
                      const std::vector<Condition>& conditions) {
   Waiting waiting("placing the robots");
   const Result<Placement> placement = place(input.document);
@@ -208,16 +189,21 @@ Outputs make_outputs(const Input& input, const PlaceOptions& options,
     for (const std::string& note : snap_notes(placement->object, input.document.settings))
       print_failure({0, "--supports", note, {}});
   waiting.now("counting the robots needed");
-  const std::optional<CapacityInJson> capacity = capacity_in_json(shown);
+  Report report = report_of(shown, {.model = asked.model, .plans = true});
   waiting.now("examining what may happen");
-  const std::vector<Requirement> requirements = check_conditions(shown, conditions);
+  const bool told = asked.failures;  // otherwise only conditions need them
+  asked.models = options.as_json;
+  if (options.as_json) asked.model = LoadModel::plan;
+  asked.failures |= need_failures(conditions);
+  complete(report, shown, asked);
+  const std::vector<Requirement> requirements = check_conditions({shown, report}, conditions);
   Outputs outputs;
-  if (options.svg) outputs.svg = picture(*placement, input.document, options.candidates);
+  if (options.svg) outputs.svg = picture({shown, report}, input.document, options.candidates);
   if (poses) outputs.poses = poses_text(shown, poses->format, poses->options);
-  outputs.printed =
-      options.as_json
-          ? placement_json(shown, options.candidates, capacity, asked.failures, requirements)
-          : for_people(shown, options.candidates, capacity, asked, requirements);
+  if (!told) report.failures.clear();
+  outputs.printed = options.as_json
+                        ? placement_json({shown, report}, options.candidates, told, requirements)
+                        : for_people({shown, report}, options.candidates, requirements);
   outputs.kept = std::all_of(requirements.begin(), requirements.end(),
                              [](const Requirement& each) { return each.kept; });
   return outputs;
@@ -249,7 +235,7 @@ void cmd_place(const Arguments& arguments) {
   const std::vector<Condition> conditions = options.conditions();
   const std::optional<PosesAsked> pose_file = options.poses.asked();
   check_outputs(options, pose_file);
-  const RobustnessAsked asked(options.robustness, input.document.shown);
+  const Asked asked = asked_by(options.robustness, input.document.shown);
   if (options.even_out) input.document = evened(input, options);
   const Outputs outputs = make_outputs(input, options, pose_file, asked, conditions);
   if (outputs.svg) write_file(*options.svg, *outputs.svg);

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include "evenlift/capacity.h"
 #include "evenlift/output/json.h"
 #include "evenlift/output/json_text.h"
-#include "evenlift/output/words.h"
+#include "evenlift/output/quantities.h"
 #include "evenlift/placement.h"
 #include "print/progress.h"
 #include "print/table.h"
@@ -18,14 +17,19 @@ struct ShapeResult {
   std::size_t vertices = 0;
   std::string refusal;  // empty if it was placed
   std::size_t robots = 0;
-  bool stands = false;  // on robots; otherwise the next three have no meaning
-  LoadRange loads;      // of all robots
-  double coverage = 0;
-  bool held = false;
+  std::vector<std::optional<double>>
+      columns;  // of all quantities with a column; empty unless robots carry it
   std::optional<std::size_t> overloaded;  // robots, if any has a capacity
   bool kept = true;                       // all conditions
   std::string json;                       // with --json only
 };
+
+std::vector<const Quantity*> columns() {
+  std::vector<const Quantity*> found;
+  for (const Quantity& quantity : quantities())
+    if (!quantity.column.empty()) found.push_back(&quantity);
+  return found;
+}
 
 void check_options(const PlaceOptions& options) {
   const auto refuse = [](const char* option, const char* why) {
@@ -54,19 +58,11 @@ std::string json_line(std::size_t number, const std::string& name, const std::st
          json::on_one_line(object).substr(1) + "\n";
 }
 
-void summarize(const ShownPlacement& of, const RobustnessAsked& asked, ShapeResult& result) {
-  const Placement& placement = of.placement;
-  for (const Team& team : placement.teams) result.robots += team.robots.size();
-  result.stands = result.robots > 0 && placement.loads.has_value();
-  if (!result.stands) return;
-  const ShownLoads shown = loads_for_table(of, RobustnessKnown(placement, asked));
-  result.loads = shown.ranges.front();
-  for (const LoadRange& range : shown.ranges)
-    result.loads = {std::min(result.loads.least, range.least),
-                    std::max(result.loads.greatest, range.greatest)};
-  result.coverage = placement.coverage;
-  result.held = is_held(placement);
-  if (has_capacities(of)) result.overloaded = overloaded_robots(of, shown.greatest).size();
+void summarize(const Reported& of, ShapeResult& result) {
+  result.robots = count_robots(of.placement.teams);
+  if (result.robots == 0 || !of.placement.loads) return;
+  for (const Quantity* column : columns()) result.columns.push_back(column->value(of));
+  if (of.report.has_capacities) result.overloaded = of.report.overloaded.size();
 }
 
 ShapeResult result_of(std::size_t number, const ImportedShape& shape, const PlaceOptions& options,
@@ -74,7 +70,10 @@ ShapeResult result_of(std::size_t number, const ImportedShape& shape, const Plac
   ShapeResult result;
   result.name = shape.name.empty() ? shape.kind : shape.name;
   result.vertices = shape.document.vertices.size();
-  const RobustnessAsked asked(options.robustness, shape.document.shown);
+  Asked asked = asked_by(options.robustness, shape.document.shown);
+  if (options.as_json) asked = {.models = true, .failures = asked.failures, .plans = true};
+  const bool failures = asked.failures;
+  asked.failures |= need_failures(conditions);
   Document document = shape.document;
   const Result<Placement> placement = placed(document, options);
   if (!placement) {
@@ -84,45 +83,46 @@ ShapeResult result_of(std::size_t number, const ImportedShape& shape, const Plac
           json_line(number, shape.name, json::object({{"error", error_json(placement.error())}}));
     return result;
   }
-  const ShownPlacement of(*placement, document.shown);
+  const Reported of({*placement, document.shown}, asked);
   const std::vector<Requirement> requirements = check_conditions(of, conditions);
   result.kept = std::all_of(requirements.begin(), requirements.end(),
                             [](const Requirement& each) { return each.kept; });
-  if (options.as_json) {
-    result.json = json_line(
-        number, shape.name,
-        placement_json(of, options.candidates, capacity_in_json(of), asked.failures, requirements));
-  } else {
-    summarize(of, asked, result);
-  }
+  if (options.as_json)
+    result.json = json_line(number, shape.name,
+                            placement_json(of, options.candidates, failures, requirements));
+  else
+    summarize(of, result);
   return result;
 }
 
 std::string yes_or_no(bool value) { return value ? "yes" : "no"; }
 
 std::string table_of(const std::vector<ShapeResult>& results, bool conditions) {
-  double largest = 0;
+  const std::vector<const Quantity*> shown = columns();
+  double heaviest = 0;  // for the decimals of loads
   bool capacities = false;
   for (const ShapeResult& result : results) {
-    largest = std::max(largest, result.loads.greatest);
+    for (std::size_t i = 0; i < result.columns.size(); ++i)
+      if (shown[i]->unit == Unit::weight)
+        heaviest = std::max(heaviest, result.columns[i].value_or(0));
     capacities = capacities || result.overloaded;
   }
-  std::vector<Row> rows = {
-      {"shape", "name", "vertices", "robots", "greatest load", "least load", "coverage", "held"}};
+  std::vector<Row> rows = {{"shape", "name", "vertices", "robots"}};
+  for (const Quantity* column : shown) rows[0].emplace_back(column->column);
   if (capacities) rows[0].push_back("overloaded");
   if (conditions) rows[0].push_back("kept");
   std::vector<std::string> remarks(1);
   for (const ShapeResult& result : results) {
     Row row = {std::to_string(rows.size()), result.name, std::to_string(result.vertices)};
-    const auto add = [&](const std::string& cell) { row.push_back(result.stands ? cell : "-"); };
     remarks.push_back(result.refusal);
     if (result.refusal.empty()) {
       row.push_back(std::to_string(result.robots));
-      add(amount(result.loads.greatest, largest));
-      add(amount(result.loads.least, largest));
-      add(percentage(result.coverage));
-      add(yes_or_no(result.held));
-      if (capacities) add(std::to_string(result.overloaded.value_or(0)));
+      for (std::size_t i = 0; i < shown.size(); ++i) {
+        const bool is_known = i < result.columns.size() && result.columns[i];
+        row.push_back(is_known ? cell_in_words(*shown[i], *result.columns[i], heaviest) : "-");
+      }
+      if (capacities)
+        row.push_back(result.columns.empty() ? "-" : std::to_string(result.overloaded.value_or(0)));
       if (conditions) row.push_back(yes_or_no(result.kept));
     }
     rows.push_back(std::move(row));

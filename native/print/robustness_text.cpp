@@ -1,8 +1,8 @@
 #include "print/robustness_text.h"
 
 #include <algorithm>
+#include <tuple>
 
-#include "evenlift/capacity.h"
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/words.h"
@@ -66,85 +66,60 @@ void RobustnessOptions::declare(CommandLine& line) {
   line.flag(failures, "--failures", "for each robot, what happens if it fails");
 }
 
-RobustnessAsked::RobustnessAsked(const RobustnessOptions& options, const Shown& shown)
-    : disturbance(disturbance_of(shown)), failures(options.failures) {
-  if (options.loads) model = loads_option(*options.loads);
-  if (disturbance.any() && !has_ranges(model))
+Asked asked_by(const RobustnessOptions& options, const Shown& shown) {
+  Asked asked{.failures = options.failures};
+  if (options.loads) asked.model = loads_option(*options.loads);
+  if (disturbance_of(shown).any() && !has_ranges(asked.model))
     throw Failure{bad_input_status, "--loads",
                   disturbance_in_words(shown) +
                       ", only plan and springs can be shown; choose one of them, or leave out "
                       "these conditions"};
+  return asked;
 }
 
-RobustnessKnown::RobustnessKnown(const Placement& placement, const RobustnessAsked& wanted)
-    : asked(wanted) {
-  if (placement.teams.empty()) return;
-  robustness = evenlift::robustness(placement);
-  if (asked.model != LoadModel::plan || asked.disturbance.any())
-    models = model_loads(placement, asked.disturbance);
-  if (asked.failures) failures = single_failures(placement, asked.disturbance);
-}
-
-ShownLoads loads_for_table(const ShownPlacement& of, const RobustnessKnown& known) {
-  const LoadModel model = known.models ? known.asked.model : LoadModel::plan;
-  ShownLoads shown{heading(model), {}, {}, shown_loads(of, model, known.models), {}};
+LoadColumn load_column(const Reported& of) {
+  const auto& [model, loads, largest] =
+      std::tie(of.report.model, of.report.loads, of.report.greatest);
+  LoadColumn column{heading(model), {}, {}};
   bool is_bound = model == LoadModel::worst;
-  for (const LoadRange& range : shown.ranges) {
-    shown.greatest.push_back(range.greatest);
+  for (const LoadRange& range : loads) {
     is_bound = is_bound || range.least < range.greatest;
+    column.text.push_back(has_ranges(model) ? amounts(range, largest)
+                                            : amount(range.greatest, largest, Toward::up));
   }
-  shown.overloaded = is_bound ? "can be overloaded" : "overloaded";
-  const double largest = *std::max_element(shown.greatest.begin(), shown.greatest.end());
-  for (const LoadRange& range : shown.ranges)
-    shown.text.push_back(has_ranges(model) ? amounts(range, largest)
-                                           : amount(range.greatest, largest, Toward::up));
-  return shown;
+  column.overloaded = is_bound ? "can be overloaded" : "overloaded";
+  return column;
 }
 
-std::string robustness_lines(const ShownPlacement& of, const RobustnessKnown& known) {
+std::string robustness_lines(const Reported& of) {
   if (!of.placement.loads) return {};
-  const Units& units = of.shown.units;
-  const RobustnessAsked& asked = known.asked;
   std::string text;
-  if (known.models && asked.model != LoadModel::plan)
-    text += model_in_words(asked.model, *known.models, units) + "\n";
-  if (known.models && asked.disturbance.any()) {
-    std::string line = uncertainty_in_words(*known.models, known.robustness, of.shown);
-    if (has_capacities(of) && !tips_when_disturbed(of))
-      line += (line.empty() ? "" : " ") + uncertainty_for_capacity_in_words(*known.models, of);
+  for (const std::string& line :
+       {model_in_words(of), uncertainty_in_words(of), given_in_part_in_words(of), tilt_in_words(of),
+        extra_in_words(of), failures_in_words(of)})
     if (!line.empty()) text += line + "\n";
-  }
-  const std::string idle = given_in_part_in_words(of);
-  if (!idle.empty()) text += idle + "\n";
-  const std::string tilt = tilt_in_words(known.robustness, of);
-  if (!tilt.empty()) text += tilt + "\n";
-  if (const auto extra = extra_load(of)) text += extra_in_words(*extra, of) + "\n";
-  if (!known.failures.empty())
-    text += failures_in_words(known.failures, units, overloads_after(of, known.failures),
-                              has_capacities(of) ? limit_in_words(of) : std::string(),
-                              conditions_in_words(of.shown)) +
-            "\n";
   return text;
 }
 
-std::string failure_table(const ShownPlacement& of, const RobustnessKnown& known) {
-  if (known.failures.empty()) return {};
+std::string failure_table(const Reported& of) {
+  const auto& failures = of.report.failures;
+  if (failures.empty()) return {};
   double largest = 0;
-  for (const auto& rest : known.failures)
+  for (const auto& rest : failures)
     if (rest)
       largest = std::max({largest, rest->greatest_by_plan.value_or(0), rest->greatest_by_springs,
                           rest->greatest_end.value_or(0)});
   std::vector<Row> rows = {{"fails", "of team", "carried", "steady", "tipping distance", "coverage",
                             "form closure", "by plan", "springs", "best"}};
-  const bool with_disturbance = known.asked.disturbance.any();
+  const bool with_disturbance = of.report.disturbance.any(), capacities = of.report.has_capacities;
   if (with_disturbance)
     for (const char* heading : {"at most", "stays"}) rows[0].push_back(heading);
-  if (has_capacities(of)) rows[0].push_back(with_disturbance ? "can be overloaded" : "overloaded");
-  for (std::size_t robot = 0; robot < known.failures.size(); ++robot) {
-    const std::optional<RestOfRobots>& rest = known.failures[robot];
+  if (capacities) rows[0].push_back(with_disturbance ? "can be overloaded" : "overloaded");
+  for (std::size_t robot = 0; robot < failures.size(); ++robot) {
+    const std::optional<RestOfRobots>& rest = failures[robot];
     rows.push_back(failure_row(robot, find_robot(of.placement.teams, robot).team, rest, largest,
                                with_disturbance));
-    if (has_capacities(of))
+    if (capacities)
       rows.back().push_back(rest && rest->stays ? numbers_from_1(overloaded_robots(of, rest->ends))
                                                 : "-");
   }

@@ -245,8 +245,10 @@ TEST_CASE("a plan of teams that are swapped says how many were tried", "[capacit
   const CapacityPlan many = plan_capacity(points, 0.5);
   CHECK_FALSE(many.possible);
   CHECK(many.tried == most_teams_tried(points.settings));
-  CHECK(capacity_in_words({points, with_capacity(0.5)}, &many)
-            .ends_with("Even 64 robots are too few."));
+  const Shown half = with_capacity(0.5);
+  Report report = report_of({points, half});
+  report.plan = many;
+  CHECK(capacity_in_words({{points, half}, report}).ends_with("Even 64 robots are too few."));
 
   comb.settings.robot.radius = 20;
   const CapacityPlan few = plan_capacity(placed(comb), 0.5);

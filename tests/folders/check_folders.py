@@ -13,6 +13,8 @@ to the right of, all folders that it uses. Folders that are loaded later may be 
 also be free of circles, and so must the files: no headers include each other in a circle, and no scripts import each
 other in one.
 
+What writes or draws results includes evenlift/report.h, and no header that computes a fact about a placement.
+
 The state of the view (state_sources in wasm/CMakeLists.txt) is built without Dear ImGui, so none of its files may
 use a file that belongs to the view.
 """
@@ -217,6 +219,16 @@ def check_state():
                 problems.append(f"wasm/{name} is built without Dear ImGui, but uses {used}, whose source is not")
 
 
+def check_facts():
+    """Facts about a placement come from its report: what writes or draws them computes none."""
+    computes = {f"evenlift/{name}.h" for name in ["accuracy", "capacity", "equilibrium", "extra_load", "failures", "load_models",
+                                                  "placed_robots", "placement", "tilt", "uncertainty"]}
+    for tree in ["core/include/evenlift/output", "core/src/output", "native/print", "wasm/marks", "wasm/panels", "wasm/picture"]:
+        for file in sorted((root / tree).rglob("*.[ch]*")):
+            for path in sorted(computes & set(paths_in(file))):
+                problems.append(f"{file.relative_to(root)} includes {path}: it must read report.h")
+
+
 def check_itself():
     texts = {
         "a.h": '#include <map>\n#include "folder/b.h"',
@@ -241,6 +253,7 @@ def check_itself():
 
 
 check_itself()
+check_facts()
 check_core()
 check_state()
 check_files()

@@ -106,11 +106,11 @@ inline bool keeps_its_word(const Document& document, int& placed) {
   const auto placement = place(document);
   if (!placement) return !placement.error().message.empty();
   ++placed;
-  std::optional<CapacityInJson> capacity;
-  if (const auto& limit = document.shown.capacity)
-    capacity = CapacityInJson{plan_capacity(*placement, *limit), {}};
   const ShownPlacement shown(*placement, document.shown);
-  return is_finite_text(placement_json(shown, true, capacity, true)) &&
+  Report report = report_of(shown, {.models = true, .failures = true});
+  if (const auto& limit = document.shown.capacity) report.plan = plan_capacity(*placement, *limit);
+  report.known.plans = true;
+  return is_finite_text(placement_json({shown, report}, true, true)) &&
          is_finite_text(poses_text(shown, PoseFormat::csv)) &&
          is_finite_text(poses_text(shown, PoseFormat::yaml)) && !placement_svg(shown).empty() &&
          encode_link(document).ok();

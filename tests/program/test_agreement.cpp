@@ -16,7 +16,7 @@ using namespace view_page;
 
 namespace {
 
-struct Asked {
+struct AskedOfBoth {
   std::uint32_t teams;
   Method method;
   double min_ratio;
@@ -24,13 +24,13 @@ struct Asked {
   std::optional<double> capacity;
 };
 
-const Asked asked[] = {
+const AskedOfBoth asked[] = {
     {3, Method::area, 0.8, 100, std::nullopt},      {1, Method::circle, 0.8, 1234.5, 400.0},
     {12, Method::distance, 0.5, 99.97, 6.5},        {4, Method::distributed, 0.8, 0.0123, 1e-3},
     {5, Method::random, 0.8, 100000, std::nullopt}, {9, Method::area, 1, 480, 20.0},
 };
 
-std::string options_of(const Asked& a) {
+std::string options_of(const AskedOfBoth& a) {
   std::string options = " --teams " + std::to_string(a.teams) + " --metric " +
                         std::string(name(a.method)) + " --min-ratio " + shortest(a.min_ratio) +
                         " --weight " + shortest(a.weight);
@@ -38,7 +38,7 @@ std::string options_of(const Asked& a) {
   return options;
 }
 
-std::vector<std::string> printed(const std::string& polygon, const Asked& a) {
+std::vector<std::string> printed(const std::string& polygon, const AskedOfBoth& a) {
   const std::filesystem::path out = std::filesystem::temp_directory_path() /
                                     ("evenlift-agreement-" + std::to_string(::getpid()) + ".txt");
   const std::string command = "'" EVENLIFT_PROGRAM "' place '" EVENLIFT_ASSETS_DIR "/polygons/" +
@@ -52,7 +52,7 @@ std::vector<std::string> printed(const std::string& polygon, const Asked& a) {
 }
 
 // For the program's lines: the sentences, then the rows of its table.
-std::string said_of(const std::vector<std::string>& lines, const Asked& a) {
+std::string said_of(const std::vector<std::string>& lines, const AskedOfBoth& a) {
   std::string text = lines.at(0);
   if (a.capacity && !lines.at(1).empty()) text += " " + lines.at(1);
   const std::regex row(R"(^\s+(\d+)\s+(\S+)\s+(\(\S+, \S+\))\s+(\S+)\s+(\(\S+, \S+\))\s+(\S+).*$)");
@@ -78,7 +78,7 @@ TEST_CASE("the page's live region says what the program prints, in the same word
   Page page;
   const std::vector<std::string> names = corpus::polygon_names();
   for (std::size_t i = 0; i < names.size(); i += 3) {
-    for (const Asked& a : asked) {
+    for (const AskedOfBoth& a : asked) {
       INFO(names[i] << options_of(a));
       Document document = corpus::polygon(names[i]);
       document.settings.teams = a.teams;

@@ -31,19 +31,18 @@ class Lifted {
   }
 
   ShownPlacement of() const { return {*placement, document.shown}; }
-  Tilt tilt() const { return tilt_of(of()).value(); }
+  Tilt tilt() const { return report_of(of()).tilt.value(); }
   std::vector<LoadRange> loads() const { return loads_when_disturbed(of()); }
   bool may_let_go() const {
     return evenlift::may_let_go(LoadModel::plan, *placement,
                                 model_loads(*placement, disturbance_of(document.shown)));
   }
-  std::string sentences() const { return plainly(verdict(of(), LoadModel::plan, loads())); }
+  std::string sentences() const { return plainly(verdict(of())); }
   std::vector<std::optional<RestOfRobots>> failures() const {
     return single_failures(*placement, disturbance_of(document.shown));
   }
   std::string failures_in_words() const {
-    return plainly(
-        evenlift::failures_in_words(failures(), {}, {}, {}, conditions_in_words(document.shown)));
+    return plainly(evenlift::failures_in_words({of(), Asked{.failures = true}}));
   }
   Requirement required(const char* condition) const {
     return check_conditions(of(), read_conditions(condition).value())[0];
@@ -92,9 +91,7 @@ TEST_CASE("what is left on a slope, or when braked, is said", "[tilt][statics]")
   lifted.carrying() = {.com_height = 1};
   CHECK_FALSE(lifted.tilt().acceleration_left);
   CHECK_FALSE(lifted.tilt().slope_left);
-  const auto words = [&] {
-    return plainly(tilt_in_words(robustness(*lifted.placement), lifted.of()));
-  };
+  const auto words = [&] { return plainly(tilt_in_words(lifted.of())); };
   const std::string alone =
       "In the worst direction it tips at a slope of 26.5° (50 %) or, on level ground, when it is "
       "braked at 0.5 g.";
@@ -126,7 +123,7 @@ TEST_CASE("uneven heights tilt the object", "[tilt][statics]") {
   CHECK(effect_on(lifted.of()).tilt == Approx(0.2));  // 2 uneven / side
   CHECK(lifted.tilt().reach == Approx(0.2));
   CHECK(lifted.tilt().slope == 0.5);  // alone
-  CHECK(plainly(tilt_in_words(robustness(*lifted.placement), lifted.of()))
+  CHECK(plainly(tilt_in_words(lifted.of()))
             .ends_with("With heights off by up to 0.1, it tips at a slope of 30 %."));
   lifted.carrying().uneven = 0.26;
   CHECK_FALSE(lifted.tilt().stays);
@@ -237,9 +234,10 @@ TEST_CASE("a plan for one failure asks whether the object stays upright", "[stat
   document.shown.carrying = {.com_height = 2000, .slope = 0.6};
   CHECK_FALSE(plan().possible);
   CHECK(plan().can_tip);
-  const FailurePlan found = plan();
+  Report report = report_of({placement, document.shown});
+  report.if_one_fails = plan();
   CHECK(
-      plainly(needs_in_words({placement, document.shown}, nullptr, LoadModel::plan, {}, &found)) ==
+      plainly(needs_in_words({{placement, document.shown}, report})) ==
       "To allow for any one failure: 4 robots, at most 50.0 kg each at rest if equally stiff, but "
       "the object can then tip.");
 }
@@ -255,7 +253,9 @@ TEST_CASE("a plan names only numbers that were tried", "[statics][capacity]") {
   const FailurePlan plan = plan_for_failures({placement, document.shown}, 5);
   CHECK_FALSE(plan.possible);
   CHECK(plan.tried == 0);
-  CHECK(needs_in_words({placement, document.shown}, nullptr, LoadModel::plan, {}, &plan) ==
+  Report report = report_of({placement, document.shown});
+  report.if_one_fails = plan;
+  CHECK(needs_in_words({{placement, document.shown}, report}) ==
         "No number of robots was found to allow for any one failure.");
 }
 
@@ -284,7 +284,7 @@ TEST_CASE("a floor that is not even is the second thing that given supports say"
                     high = "If one of them stands a little high, robots 1 and 4 can come to carry ";
   CHECK(lifted.sentences().starts_with(level + high + "50.0 kg. "));
   lifted.document.shown.capacity = 40;
-  CHECK(capacity_in_words(lifted.of(), nullptr).empty());  // not that none carries more
+  CHECK(capacity_in_words(lifted.of()).empty());  // not that none carries more
   CHECK(lifted.sentences().starts_with(
       level + high +
       "50.0 kg. 2 of 4 robots can be overloaded, with more than 40 kg: robots 1 and 4. "));

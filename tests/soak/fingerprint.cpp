@@ -175,19 +175,21 @@ void say_all(std::uint64_t number, Take take) {
       break;
     case 4: {
       const double capacity = document.settings.weight / 9;
-      const CapacityPlan plan = plan_capacity(*placement, capacity);
       Shown limited;
       limited.capacity = capacity;
       const ShownPlacement of(*placement, limited);
-      take(placement_json(of, false, CapacityInJson{plan, {}}));
-      take(capacity_in_words(of, &plan) + "\n");
+      Report report = report_of(of, {.models = true});
+      report.plan = plan_capacity(*placement, capacity);
+      report.known.plans = true;
+      take(placement_json({of, report}, false, false));
+      take(capacity_in_words({of, report}) + "\n");
       break;
     }
     case 5: {
       if (count_robots(placement->teams) > 64) break;  // each failure examines all of them
       Shown doubted;
       doubted.com_radius = bounding_box(document.vertices).diagonal() / 50;
-      take(placement_json({*placement, doubted}, false, std::nullopt, true));
+      take(placement_json({*placement, doubted}, false, {.failures = true}));
       break;
     }
     default:

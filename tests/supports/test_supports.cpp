@@ -316,12 +316,11 @@ TEST_CASE("each support may have a capacity of its own", "[supports][capacity]")
   const Placement placement = placed(document);
   const ShownPlacement of(placement, document.shown);
   CHECK(overloaded_robots(of) == std::vector<std::size_t>{1});
-  CHECK(plainly(capacity_in_words(of, nullptr)) == "1 of 3 robots is overloaded: robot 2.");
+  CHECK(plainly(capacity_in_words(of)) == "1 of 3 robots is overloaded: robot 2.");
   Shown both = document.shown;
   both.capacity = 45;
   CHECK(overloaded_robots({placement, both}) == std::vector<std::size_t>{1, 2});
-  const auto capacity = capacity_in_json({placement, both});
-  CHECK_FALSE(capacity->plan.possible);
+  CHECK_FALSE(report_of({placement, both}, {.plans = true}).plan->possible);
 
   // After a failure, each other robot has its own capacity.
   Document four = standing_on(unit_square);
@@ -377,7 +376,7 @@ TEST_CASE("results with supports reopen", "[supports][import]") {
   document.shown.support_capacities = {50, std::nullopt, 60};
   const Placement placement = placed(document);
   const ShownPlacement of(placement, document.shown);
-  const auto read = read_shapes(placement_json(of, false, capacity_in_json(of)));
+  const auto read = read_shapes(placement_json(of, false, {.plans = true}));
   REQUIRE(read.ok());
   CHECK(testing::same_document(read->shapes.at(0).document, document));
   const auto decoded = read_shapes(document_json(document));

@@ -680,7 +680,7 @@ TEST_CASE("a result opens again with all its settings", "[import][json]") {
     Document with_capacity = document;
     with_capacity.shown.capacity = 40;
     const ShownPlacement shown(*placement, with_capacity.shown);
-    const Import result = read(placement_json(shown, true, capacity_in_json(shown)));
+    const Import result = read(placement_json(shown, true, {.plans = true}));
     CHECK(result.has_settings);
     CHECK(evenlift::testing::same_document(result.shapes.at(0).document, with_capacity));
     Document doubted = document;

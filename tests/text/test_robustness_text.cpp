@@ -4,6 +4,7 @@
 
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/output/json.h"
+#include "evenlift/output/quantities.h"
 #include "evenlift/output/robustness_words.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
@@ -25,9 +26,8 @@ Placement placed(const std::string& name, std::uint32_t teams) {
 }
 
 Json json_of(const Placement& placement, const Shown& shown = {}, bool failures = false) {
-  std::optional<CapacityInJson> limit;
-  if (shown.capacity) limit = CapacityInJson{plan_capacity(placement, *shown.capacity), {}};
-  return Json::parse(placement_json({placement, shown}, false, limit, failures));
+  return Json::parse(
+      placement_json({placement, shown}, false, {.failures = failures, .plans = true}));
 }
 
 RestOfRobots rest(bool steady, double greatest) {
@@ -35,6 +35,21 @@ RestOfRobots rest(bool steady, double greatest) {
   rest.steady = rest.clear = steady;
   rest.greatest_by_springs = greatest;
   return rest;
+}
+
+// A report about robots of which nothing else is known.
+std::string words_of(const Report& report, std::string (*words)(const Reported&),
+                     const Shown& shown = {}) {
+  const Placement placement(solid(testing::polygon(testing::square)));
+  return words({{placement, shown}, report});
+}
+
+std::string failure_words(std::size_t robot, std::size_t robots,
+                          const std::optional<RestOfRobots>& rest, const Shown& shown = {}) {
+  Placement placement(solid(testing::polygon(testing::square)));
+  placement.teams = {Team{}};
+  placement.teams[0].robots.resize(robots);
+  return plainly(failure_in_words({placement, shown}, robot, rest));
 }
 
 }  // namespace
@@ -131,12 +146,13 @@ TEST_CASE("with a C uncertainty the first sentence has the ranges, of balanced r
       greatest = std::max(greatest, range.greatest);
     }
     const std::string robots = std::to_string(count_robots(placement.teams)) + " robots";
-    CHECK(plainly(loads_in_words({placement, document.shown}, LoadModel::plan, ranges)) ==
+    CHECK(plainly(loads_in_words({placement, document.shown})) ==
           robots + " carry " + amounts(LoadRange{least, greatest}, greatest) +
               " kg each, with a C uncertainty of 3 cm (100 kg in all).");
     // Other models' loads have their own sentences; the plan's assume C as given.
-    CHECK(loads_in_words(placement, LoadModel::springs, ranges) ==
-          loads_in_words(placement, LoadModel::springs));
+    const Asked springs{.model = LoadModel::springs};
+    CHECK(loads_in_words({{placement, document.shown}, springs}) ==
+          loads_in_words({placement, springs}));
   }
 }
 
@@ -194,7 +210,12 @@ TEST_CASE("a row of failures has the numbers of what is left without that robot"
 
 TEST_CASE("the models of loads are told in a sentence", "[words][robustness]") {
   ModelLoads loads{{{15.2, 0, 18.1, 0}, {}, 0}, 17.04, {50, 20, 54.04, 10}};
-  const auto words = [&](LoadModel model) { return plainly(model_in_words(model, loads)); };
+  const auto words = [&](LoadModel model) {
+    Report report;
+    report.model = model;
+    report.models = loads;
+    return plainly(words_of(report, model_in_words));
+  };
   CHECK(words(LoadModel::plan).empty());
   CHECK(words(LoadModel::springs) ==
         "If all robots are equally stiff and level and the object does not bend, they carry "
@@ -216,8 +237,11 @@ TEST_CASE("a C uncertainty is told in sentences", "[words][robustness]") {
     const LoadChanges changes{{.reach = radius}, false, {radius / 2, radius}, {12, 11.5}, {3, 1}};
     Shown shown;
     shown.com_radius = radius;
-    return uncertainty_in_words({{{40, 20}, {0.5, 1}, 20}, 6, {}, {.com_radius = radius}, changes},
-                                {1, 1, tips}, shown);
+    Report report;
+    report.disturbance = {.com_radius = radius};
+    report.models = {{{40, 20}, {0.5, 1}, 20}, 6, {}, report.disturbance, changes};
+    report.robustness.tipping_distance = tips;
+    return words_of(report, uncertainty_in_words, shown);
   };
   const std::string off = "If C is off by up to ",
                     change = ", the loads of equally stiff robots change by up to ";
@@ -228,7 +252,7 @@ TEST_CASE("a C uncertainty is told in sentences", "[words][robustness]") {
             "12.0 kg.");
   CHECK(plainly(words(31, 30)) == "If C is off by 30.0 or more, the object can tip.");
   CHECK(plainly(words(1, 0)) == "Even the smallest error of C can tip the object.");
-  CHECK(uncertainty_in_words({}, {1, 1, 30}, {}).empty());
+  CHECK(words_of({}, uncertainty_in_words).empty());
 }
 
 TEST_CASE("how far C may be off for a capacity is told, with the other conditions",
@@ -240,14 +264,15 @@ TEST_CASE("how far C may be off for a capacity is told, with the other condition
   document.settings.supports = document.vertices;
   const auto words = [&] {
     const Placement placement = place(document).value();
-    return plainly(
-        uncertainty_for_capacity_in_words(*model_loads(placement), {placement, document.shown}));
+    const std::string text = plainly(uncertainty_in_words({placement, document.shown}));
+    return text.substr(std::min(text.size(), text.rfind(". ", text.size() - 2) + 2));
   };
+  document.shown.com_radius = 0.001;
   document.shown.capacity = 35;
   const std::string stay = "Equally stiff robots stay within ";
   CHECK(words() == stay + "35 kg as long as C is off by at most 1.41.");
   document.shown.capacity = 20;
-  CHECK(words() == "If all robots are equally stiff, some carry more than 20 kg.");
+  CHECK(words() == "If all robots are equally stiff, some may carry more than 20 kg.");
   document.shown.capacity = std::nullopt;
   document.shown.support_capacities = {35, std::nullopt, std::nullopt, std::nullopt};
   CHECK(words() == stay + "their capacities as long as C is off by at most 1.41.");
@@ -262,7 +287,11 @@ TEST_CASE("an object can tip from the very distance on at which it tips", "[word
   const auto words = [&](double radius, double distance = 20) {
     Shown shown;
     shown.com_radius = radius;
-    return plainly(tipping_in_words({1, 1, distance}, {placement, shown}));
+    Report report;
+    report.disturbance = disturbance_of(shown);
+    report.effect.reach = radius;
+    report.robustness.tipping_distance = distance;
+    return plainly(tipping_in_words({{placement, shown}, report}));
   };
   const std::string tips = ", and 20.0 in one direction is enough.";
   CHECK(words(0).empty());
@@ -274,8 +303,13 @@ TEST_CASE("an object can tip from the very distance on at which it tips", "[word
 }
 
 TEST_CASE("failures are told in sentences", "[words][robustness]") {
-  const auto words = [](const std::vector<std::optional<RestOfRobots>>& failures) {
-    return plainly(failures_in_words(failures));
+  Shown steep;
+  steep.carrying.slope = 0.6;
+  const auto words = [](const std::vector<std::optional<RestOfRobots>>& failures,
+                        const Shown& shown = {}) {
+    Report report;
+    report.failures = failures;
+    return plainly(words_of(report, failures_in_words, shown));
   };
   const std::string sudden =
       " At a sudden failure loads swing beyond this, those of the nearest robots by about twice the "
@@ -289,42 +323,51 @@ TEST_CASE("failures are told in sentences", "[words][robustness]") {
         "The object falls if any of robots 1 and 4 fails. If another fails, the others carry "
         "it, at most 30.0 kg each if equally stiff. It can tip if robot 3 fails." +
             sudden);
-  CHECK(plainly(failure_in_words(2, 6, rest(true, 21.34))) ==
+  CHECK(failure_words(2, 6, rest(true, 21.34)) ==
         "Robot 3 fails: the other five carry the object, at most 21.4 kg each.");
-  CHECK(plainly(failure_in_words(0, 14, rest(false, 21.34))) ==
+  CHECK(failure_words(0, 14, rest(false, 21.34)) ==
         "Robot 1 fails: the other 13 carry the object, at most 21.4 kg each, but it can tip.");
-  CHECK(plainly(failure_in_words(2, 6, rest(true, 21.34), 21.4)) ==
+  CHECK(failure_words(2, 6, rest(true, 21.34), {.capacity = 21.4}) ==
         "Robot 3 fails: the other five carry the object, at most 21.4 kg each.");
-  CHECK(plainly(failure_in_words(2, 6, rest(true, 21.34), 20.0)) ==
+  CHECK(failure_words(2, 6, rest(true, 21.34), {.capacity = 20.0}) ==
         "Robot 3 fails: the other five carry the object, at most 21.4 kg each. Capacity: 20 kg.");
   // What tips under the given conditions carries nothing.
   RestOfRobots leaves = rest(true, 20);
   leaves.stays = false;
-  const std::string slope = "on a slope of 60 %";
-  CHECK(plainly(failures_in_words({rest(true, 20), leaves}, {}, {}, {}, slope)) ==
+  CHECK(words({rest(true, 20), leaves}, steep) ==
         "If robot 2 fails, it tips on a slope of 60 %. If another fails, the others carry it, at "
         "most 20.0 kg each if equally stiff." +
             sudden);
-  CHECK(failures_in_words({leaves, leaves}, {}, {}, {}, slope) ==
-        "Whichever robot fails, it tips on a slope of 60 %.");
-  CHECK(failures_in_words({std::nullopt, leaves}, {}, {}, {}, slope) ==
+  CHECK(words({leaves, leaves}, steep) == "Whichever robot fails, it tips on a slope of 60 %.");
+  CHECK(words({std::nullopt, leaves}, steep) ==
         "The object falls if robot 1 fails. If robot 2 fails, it tips on a slope of 60 %.");
-  CHECK(failure_in_words(1, 6, leaves, {}, {}, slope) ==
-        "Robot 2 fails: it tips on a slope of 60 %.");
-  CHECK(failure_in_words(1, 2, std::nullopt) ==
+  CHECK(failure_words(1, 6, leaves, steep) == "Robot 2 fails: it tips on a slope of 60 %.");
+  CHECK(failure_words(1, 2, std::nullopt) ==
         "Robot 2 fails: the other one cannot carry the object.");
 }
 
 TEST_CASE("what may go wrong is told in two facts", "[words][robustness]") {
   const Placement placement = placed("grand-piano", 3);
+  const auto facts = [&](int carried, int steady) {
+    Report report = report_of(placement);
+    report.robustness = {carried, steady, 117.2, steady};
+    return facts_in_words({placement, report});
+  };
+  const auto value = [](const std::vector<Fact>& all, const std::string& label) {
+    for (const Fact& fact : all)
+      if (fact.label == label) return fact.value;
+    return std::string();
+  };
   const auto may_fail = [&](int carried, int steady) {
-    return robustness_facts(placement, {carried, steady, 117.2, steady}).at(0).value;
+    return value(facts(carried, steady), "Robots that may fail");
   };
   CHECK(may_fail(2, 1) == "any 1; any 2 if it may tip");
   CHECK(may_fail(2, 2) == "any 2");
   CHECK(may_fail(1, 0) == "any 1, but it can tip then");
   CHECK(may_fail(0, 0) == "none");
   CHECK(may_fail(0, -1) == "none");
-  CHECK(robustness_facts(placement, {2, 1, 117.2, 1}).at(1).value == "117");
-  CHECK(robustness_facts(Placement(solid(testing::polygon(testing::square))), {}).empty());
+  CHECK(value(facts(2, 1), "Tipping distance") == "117");
+  const auto none = facts_in_words(Placement(solid(testing::polygon(testing::square))));
+  REQUIRE(none.size() == 1);
+  CHECK(none[0].label == std::string("Candidate teams"));
 }

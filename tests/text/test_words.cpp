@@ -1,4 +1,5 @@
 // The one formatter for all text that users read.
+#include "evenlift/output/quantities.h"
 #include "evenlift/output/words.h"
 
 #include <cmath>
@@ -184,7 +185,9 @@ TEST_CASE("a capacity names the robots that are overloaded and the robots that a
   const auto words = [&](double capacity, const CapacityPlan* plan = nullptr) {
     Shown shown;
     shown.capacity = capacity;
-    return plainly(capacity_in_words({placement, shown}, plan));
+    Report report = report_of({placement, shown});
+    if (plan) report.plan = *plan;
+    return plainly(capacity_in_words({{placement, shown}, report}));
   };
   CHECK(words(18.06) == "No robot carries more than 18.06 kg.");
   CHECK(words(16) == "3 of 6 robots are overloaded, with more than 16 kg: robots 2, 4 and 6.");
@@ -225,7 +228,12 @@ TEST_CASE("a capacity says of which loads and of which robots it speaks", "[word
   shown.capacity = 17;
   const auto words = [&](LoadModel model, const std::vector<std::size_t>& robots,
                          const CapacityPlan& needed, std::optional<std::size_t> failed = {}) {
-    return plainly(capacity_in_words({placement, shown}, &needed, robots, model, failed));
+    Report report = report_of({placement, shown});
+    report.plan = needed;
+    report.overloaded = robots;
+    report.model = model;
+    report.failed = failed;
+    return plainly(capacity_in_words({{placement, shown}, report}));
   };
   CHECK(
       words(LoadModel::springs, {0, 3}, plan) ==

@@ -33,15 +33,15 @@ bool says(const AppState& state, const std::string& words) {
 
 TEST_CASE("a slope makes ranges of the loads, and a steep one tips the object", "[view][tilt]") {
   AppState state = piano();
-  const double level = state.derived().outlook.greatest;
+  const double level = state.derived().report.greatest;
   const std::string before = verdict(state).detail;
   CHECK(carrying_words(state).empty());
   carry(state, {.com_height = 600});
   CHECK(says(state, "In the worst direction it tips at a slope of 27.8°"));
-  CHECK(state.derived().outlook.greatest == level);
+  CHECK(state.derived().report.greatest == level);
   carry(state, {.com_height = 600, .slope = 0.1});
-  CHECK(state.derived().outlook.greatest > level);
-  CHECK(state.derived().outlook.loads[0].least < state.derived().outlook.loads[0].greatest);
+  CHECK(state.derived().report.greatest > level);
+  CHECK(state.derived().report.loads[0].least < state.derived().report.loads[0].greatest);
   CHECK(says(state, "on slopes up to 10 %"));
   CHECK(verdict(state).detail == before);
   carry(state, {.com_height = 600, .slope = 0.6});
@@ -67,29 +67,29 @@ TEST_CASE("nothing of how the object is carried places robots", "[view][tilt]") 
 
 TEST_CASE("another load is followed as the capacity changes", "[view][tilt]") {
   AppState state = piano();
-  CHECK_FALSE(state.derived().outlook.extra);
+  CHECK_FALSE(state.derived().report.extra);
   carry(state, {.extra = 50});
-  REQUIRE(state.derived().outlook.extra);
-  const double free = state.derived().outlook.extra->share;
+  REQUIRE(state.derived().report.extra);
+  const double free = state.derived().report.extra->share;
   CHECK(says(state, "Another 50 kg may stand "));
   give(state, showing(state, &Shown::capacity, 30));
-  CHECK(state.derived().outlook.extra->share < free);
+  CHECK(state.derived().report.extra->share < free);
   give(state, showing(state, &Shown::capacity, std::optional<double>()));
-  CHECK(state.derived().outlook.extra->share == free);
+  CHECK(state.derived().report.extra->share == free);
   give(state, SetMethod{Method::given});
-  const double of_supports = state.derived().outlook.extra->share;
+  const double of_supports = state.derived().report.extra->share;
   give(state,
        showing(state, &Shown::support_capacities, std::vector<std::optional<double>>(6, 30)));
-  CHECK(state.derived().outlook.extra->share < of_supports);
+  CHECK(state.derived().report.extra->share < of_supports);
   carry(state, {});
-  CHECK_FALSE(state.derived().outlook.extra);
+  CHECK_FALSE(state.derived().report.extra);
 }
 
 TEST_CASE("the failures that tip it on a slope are told, and those that hold are not",
           "[view][tilt][failing]") {
   AppState state = piano();
   const auto mood = [&](std::size_t robot) {
-    return mood_of(state, state.derived().failures[robot]);
+    return mood_of(state, state.derived().report.failures[robot]);
   };
   CHECK(mood(4) == Mood::good);
   carry(state, {.com_height = 600, .slope = 0.5});

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "derive/outlook.h"
+#include "derive/reports.h"
 #include "derive/robots_text.h"
 #include "evenlift/output/robustness_words.h"
 #include "kit/catch.h"
@@ -37,27 +37,27 @@ TEST_CASE("a robot that fails is left out of the base and of the loads, with eve
     AppState state = state_of(method);
     INFO(name(method));
     const Points base = state.derived().placement->lifting_base;
-    REQUIRE(state.derived().failures.size() == robots(state));
+    REQUIRE(state.derived().report.failures.size() == robots(state));
     for (std::size_t robot = 0; robot < robots(state); ++robot) {
       give(state, Fail{robot});
       REQUIRE(failing(state));
       const Placement& shown = shown_placement(state);
       CHECK(shown.coverage < state.derived().placement->coverage);
-      CHECK(verdict(state).headline ==
-            failure_in_words(robot, robots(state), state.derived().failures[robot]));
+      CHECK(verdict(state).headline == failure_in_words(*state.derived().placement, robot,
+                                                        state.derived().report.failures[robot]));
       CHECK(verdict(state).detail.starts_with(rest_in_words(shown)));
-      const Outlook& outlook = shown_outlook(state);
+      const Report& report = shown_report(state);
       double sum = 0;
-      for (const LoadRange& load : outlook.loads) sum += load.greatest;
-      CHECK(outlook.loads[robot].greatest == 0);
-      CHECK(shown.loads.has_value() == state.derived().failures[robot].has_value());
+      for (const LoadRange& load : report.loads) sum += load.greatest;
+      CHECK(report.loads[robot].greatest == 0);
+      CHECK(shown.loads.has_value() == state.derived().report.failures[robot].has_value());
       if (!shown.loads) continue;
       CHECK(std::abs(sum - 100) < 1e-9);
-      CHECK(outlook.greatest == state.derived().failures[robot]->greatest_by_springs);
-      CHECK(std::abs(shown.coverage - state.derived().failures[robot]->coverage) < 1e-12);
-      CHECK(shown.closure.form_closure == state.derived().failures[robot]->form_closure);
-      CHECK(outlook.robustness.tipping_distance ==
-            state.derived().failures[robot]->tipping_distance);
+      CHECK(report.greatest == state.derived().report.failures[robot]->greatest_by_springs);
+      CHECK(std::abs(shown.coverage - state.derived().report.failures[robot]->coverage) < 1e-12);
+      CHECK(shown.closure.form_closure == state.derived().report.failures[robot]->form_closure);
+      CHECK(report.robustness.tipping_distance ==
+            state.derived().report.failures[robot]->tipping_distance);
     }
     give(state, Fail{});
     CHECK_FALSE(failing(state));
@@ -87,7 +87,7 @@ TEST_CASE("a change of settings, of the polygon or by undo brings the robot back
     give(state, Fail{1});
     REQUIRE(failing(state));
     give(state, std::move(command));
-    return !failing(state) && state.derived().failures.size() == robots(state);
+    return !failing(state) && state.derived().report.failures.size() == robots(state);
   };
   Settings fewer = settings(state);
   fewer.teams = 2;
@@ -121,7 +121,7 @@ TEST_CASE("better places that a search finds bring the robot back", "[view][fail
   const std::string found = robots_text(lifting_points(place(state.work.document())->teams));
   REQUIRE(take_robots(state, state.derived().search.number, found, true));
   CHECK_FALSE(failing(state));
-  CHECK(state.derived().failures.size() == 6);
+  CHECK(state.derived().report.failures.size() == 6);
 }
 
 TEST_CASE("keys let one robot after another fail, and Esc brings all back", "[view][failing]") {
@@ -163,7 +163,7 @@ TEST_CASE("while a robot fails the verdict has the row's sign", "[view][failing]
   for (std::size_t i = 0; i < robots(state); ++i) {
     give(state, Fail{i});
     REQUIRE(failing(state));
-    CHECK(verdict(state).mood == mood_of(state, state.derived().failures[i]));
+    CHECK(verdict(state).mood == mood_of(state, state.derived().report.failures[i]));
   }
 }
 
@@ -171,12 +171,12 @@ TEST_CASE("what happens if a robot fails is said and has its sign", "[view][fail
   AppState state = state_of(Method::area);
   for (std::size_t i = 0; i < robots(state); ++i) {
     CHECK(failure_words(state, i) ==
-          failure_in_words(i, robots(state), state.derived().failures[i]));
-    CHECK(mood_of(state, state.derived().failures[i]) == Mood::good);
+          failure_in_words(*state.derived().placement, i, state.derived().report.failures[i]));
+    CHECK(mood_of(state, state.derived().report.failures[i]) == Mood::good);
   }
   give(state, showing(state, &Shown::capacity, 25.0));
   const auto overloaded =
-      std::count_if(state.derived().failures.begin(), state.derived().failures.end(),
+      std::count_if(state.derived().report.failures.begin(), state.derived().report.failures.end(),
                     [&](const auto& rest) { return mood_of(state, rest) == Mood::not_quite; });
   CHECK(overloaded > 0);
   CHECK(mood_of(state, std::nullopt) == Mood::falls);
@@ -188,11 +188,11 @@ TEST_CASE("too many robots are not looked at each", "[view][failing]") {
   many.settings.method = Method::distributed;
   many.settings.teams = 64;
   begin(state, placed(many));
-  CHECK(state.derived().failures.size() == most_failures_known);
+  CHECK(state.derived().report.failures.size() == most_failures_known);
   Settings more = settings(state);
   more.teams = 65;
   give(state, SetSettings{more});
-  CHECK(state.derived().failures.empty());
+  CHECK(state.derived().report.failures.empty());
   give(state, Fail{129});  // but one of them can still fail
   REQUIRE(failing(state));
   CHECK(verdict(state).headline.find("Robot 130 fails: ") == 0);
@@ -228,20 +228,18 @@ TEST_CASE("a C uncertainty makes the program's ranges, and sentences that say ho
   REQUIRE(models.springs.same_within > 20);
   const auto expected = loads_by(LoadModel::plan, *state.derived().placement, models);
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    CHECK(state.derived().outlook.loads[i].least == expected[i].least);
-    CHECK(state.derived().outlook.loads[i].greatest == expected[i].greatest);
+    CHECK(state.derived().report.loads[i].least == expected[i].least);
+    CHECK(state.derived().report.loads[i].greatest == expected[i].greatest);
   }
-  CHECK(summary(state).find(uncertainty_in_words(models, robustness(*state.derived().placement),
-                                                 shown(state))) != std::string::npos);
-  CHECK(verdict(state).headline == loads_in_words({*state.derived().placement, shown(state)},
-                                                  LoadModel::plan, state.derived().outlook.loads));
+  CHECK(summary(state).find(uncertainty_in_words(reported(state))) != std::string::npos);
+  CHECK(verdict(state).headline == loads_in_words({*state.derived().placement, shown(state)}));
   const double beyond = models.springs.same_within * 1.5;
   give(state, showing(state, &Shown::com_radius, beyond));
   const auto wider = loads_by(LoadModel::plan, *state.derived().placement,
                               model_loads(*state.derived().placement, {.com_radius = beyond}));
   for (std::size_t i = 0; i < wider.size(); ++i) {
-    CHECK(state.derived().outlook.loads[i].least == wider[i].least);
-    CHECK(state.derived().outlook.loads[i].greatest == wider[i].greatest);
+    CHECK(state.derived().report.loads[i].least == wider[i].least);
+    CHECK(state.derived().report.loads[i].greatest == wider[i].greatest);
   }
   CHECK(state.work.history.depth() == 2);
   const double tips = robustness(*state.derived().placement).tipping_distance;
@@ -304,8 +302,9 @@ TEST_CASE("the loads of each model are shown, and what they presume is said", "[
     give(state, SetLoadModel{model});
     const auto expected = loads_by(model, *state.derived().placement, models);
     for (std::size_t i = 0; i < expected.size(); ++i)
-      CHECK(state.derived().outlook.loads[i].greatest == expected[i].greatest);
-    CHECK(model_words(state) == model_in_words(model, models));
+      CHECK(state.derived().report.loads[i].greatest == expected[i].greatest);
+    CHECK(model_words(state) ==
+          model_in_words({*state.derived().placement, Asked{.model = model}}));
     // The headline's loads are the plan's, marked as planned beside another model's.
     CHECK(verdict(state).headline.starts_with("As planned, ") == (model != LoadModel::plan));
   }

@@ -344,7 +344,7 @@ TEST_CASE("labels of weights are their names, or else the weights, clear of the 
   CHECK(labels[2].text == "tag");
   const auto size = robot_size(pairs_of(looked.view.placement->teams));
   Occupied occupied = occupied_by_marks(looked.view, mark_reach(size));
-  const auto loads = load_labels(looked.view, size, looked.view.outlook(), occupied);
+  const auto loads = load_labels(looked.view, size, looked.view.report(), occupied);
   CHECK(loads.size() == 6);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     for (const LoadLabel& load : loads) CHECK_FALSE(load.box.overlaps(labels[i].box));

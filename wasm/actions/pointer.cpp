@@ -24,7 +24,7 @@ Vec2 neighbour(const Points& points, std::size_t i, bool next) {
 // object tips that way (marks/carrying.h).
 bool answers_for_points(const AppState& state) {
   const Overlays& overlays = shown(state).overlays;
-  return (overlays.load && shown_outlook(state).extra) ||
+  return (overlays.load && shown_report(state).extra) ||
          (overlays.tilt && shown(state).carrying.com_height > 0);
 }
 

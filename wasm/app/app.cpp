@@ -30,8 +30,8 @@ Pointer over_one_picture(App& app, Pointer pointer) {
 void draw_picture(App& app) {
   const AppState& state = app.state;
   const double now = ImGui::GetTime();
-  follow(app.scene, state, shown_placement(state), now);
-  if (state.derived().second) follow(app.second_scene, state, *state.derived().second, now);
+  follow(app.scene, state, reported(state), now);
+  if (state.derived().second) follow(app.second_scene, state, reported(state, true), now);
   if (app.scene.progress < 1 || (state.derived().second && app.second_scene.progress < 1))
     app.commands.push_back(LayOutAgain{});
   draw_canvas(state, app.scene, app.second_scene, layout(state));

@@ -83,16 +83,15 @@ std::string hint_of_uncertainty(const AppState& state) {
 std::string hint_of_failing(const Failure& failure, const Pick& at, const Units& units) {
   const std::size_t team = failure.placement.teams.front().robots.size(),
                     robot = at.index * team + static_cast<std::size_t>(at.end);
-  if (robot >= failure.outlook.loads.size()) return {};
+  if (robot >= failure.report.loads.size()) return {};
   if (robot == failure.robot) return say("Robot {robot} fails · Esc brings it back", {robot + 1});
   if (!failure.rest)
     return say("Robot {robot} · cannot carry the object while robot {failed} fails",
                {robot + 1, failure.robot + 1});
-  const LoadRange& load = failure.outlook.loads[robot];
-  return say(
-      "Robot {robot} · {load} while robot {failed} fails",
-      {robot + 1, load_in_words(failure.outlook.model, load, failure.outlook.greatest, units),
-       failure.robot + 1});
+  const LoadRange& load = failure.report.loads[robot];
+  return say("Robot {robot} · {load} while robot {failed} fails",
+             {robot + 1, load_in_words(failure.report.model, load, failure.report.greatest, units),
+              failure.robot + 1});
 }
 
 std::string hint_of_robot(const AppState& state, const Pick& at) {

@@ -6,8 +6,8 @@
 
 #include "derive/elsewhere.h"
 #include "derive/offer.h"
-#include "derive/outlook.h"
 #include "derive/placing.h"
+#include "derive/reports.h"
 #include "derive/search.h"
 #include "evenlift/output/words.h"
 #include "state/opened.h"
@@ -47,6 +47,7 @@ class Derivation {
     search();
     offer();
     let_fail();
+    tell_plans(facts_);
     explain();
     tell_of_change();
     if (robots_ || second_ || fails_ || (facts_.trace == nullptr) != untraced) ++facts_.revision;
@@ -57,12 +58,12 @@ class Derivation {
   bool at_rest() const { return now_.haste == Haste::at_rest; }
   // A drag has ended, so postponed work is due.
   bool comes_to_rest() const { return at_rest() && before_.haste == Haste::drag; }
-  // Whether a further load, or what limits it, has changed.
+  // Whether what a report tells of the same robots has changed.
   bool asks_anew() const {
     const Shown &now = now_.shown, &before = before_.shown;
-    return now.carrying != before.carrying ||
-           (now.carrying.extra && (now.capacity != before.capacity ||
-                                   now.support_capacities != before.support_capacities));
+    return now_.load_model != before_.load_model || now.carrying != before.carrying ||
+           now.com_radius != before.com_radius || now.capacity != before.capacity ||
+           now.support_capacities != before.support_capacities;
   }
 
   void take_chosen();
@@ -227,9 +228,9 @@ void Derivation::plan() {
 
 void Derivation::tell_loads() {
   const bool disturbed = disturbance_of(now_.shown) != disturbance_of(before_.shown);
-  told_ |= robots_ || second_ || now_.load_model != before_.load_model || disturbed || asks_anew();
+  told_ |= robots_ || second_ || asks_anew();
   if (robots_ || disturbed) {
-    facts_.failures.clear();
+    facts_.report.failures.clear();
     facts_.failures_due = true;
   }
   if (robots_) {
@@ -239,7 +240,7 @@ void Derivation::tell_loads() {
     facts_.failure->rest =
         single_failure(*facts_.placement, facts_.failure->robot, disturbance_of(now_.shown));
   }
-  if (told_) renew_outlooks(facts_, now_.load_model, now_.shown);
+  if (told_) renew_reports(facts_, now_.load_model, now_.shown);
 }
 
 void Derivation::search() {

@@ -13,7 +13,7 @@ namespace {
 
 const ExtraLoad* shown_extra(const CanvasView& view) {
   if (!shown(view.state).overlays.load || !view.current() || !view.placement) return nullptr;
-  const std::optional<ExtraLoad>& extra = view.outlook().extra;
+  const std::optional<ExtraLoad>& extra = view.report().extra;
   return extra ? &*extra : nullptr;
 }
 

@@ -55,7 +55,7 @@ void draw_halo(const Painter& painter, const CanvasView& view) {
   ImDrawList& list = painter.list();
   const ImVec2 at = painter.at(centre_of_mass(state));
   // `known` is how far from C the weight may act: C is off, or the object tilts or brakes.
-  const double margin = view.outlook().robustness.tipping_distance,
+  const double margin = view.report().robustness.tipping_distance,
                known = effect_on({*view.placement, shown(state)}).reach;
   const auto in_pixels = [&](double length) {
     return static_cast<float>(std::min(length * view.camera.scale, 1e5));

@@ -139,8 +139,8 @@ Occupied occupied_by_marks(const CanvasView& view, double reach) {
 }
 
 std::vector<LoadLabel> load_labels(const CanvasView& view, const RobotSize& size,
-                                   const Outlook& outlook, Occupied& occupied) {
-  if (outlook.greatest == 0) return {};
+                                   const Report& report, Occupied& occupied) {
+  if (report.greatest == 0) return {};
   const Placement& placement = *view.placement;
   const Vec2 middle = view.camera.to_screen(placement.centre_of_mass);
   const bool few = pairs_of(placement.teams) <= 8;
@@ -151,15 +151,14 @@ std::vector<LoadLabel> load_labels(const CanvasView& view, const RobotSize& size
   std::size_t number = 0;
   for (const Team& team : placement.teams) {
     for (const Robot& robot : team.robots) {
-      const LoadRange& load = outlook.loads[number++];
+      const LoadRange& load = report.loads[number++];
       const bool failed = view.failure() && view.failure()->robot + 1 == number;
       const Vec2 lifts = view.camera.to_screen(robot.point.position);
       if (failed || !view.window.contains(lifts)) continue;
       const bool body = !bodies.empty();
       const Vec2 at = body ? view.camera.to_screen(bodies[number - 1].stand) : lifts;
       const Vec2 away = at - middle;
-      texts.push_back(
-          load_in_words(outlook.model, load, outlook.greatest, shown(view.state).units));
+      texts.push_back(load_in_words(report.model, load, report.greatest, shown(view.state).units));
       over.push_back(view.overloads(number - 1, load.greatest));
       const ImVec2 text = text_size(Face::strong_label, texts.back());
       requests.push_back({at, away / std::max(length(away), 1e-9), Vec2(text.x + 12, text.y + 6),
@@ -176,11 +175,11 @@ std::vector<LoadLabel> load_labels(const CanvasView& view, const RobotSize& size
 
 std::vector<LoadLabel> planned_load_labels(const CanvasView& view, const RobotSize& size) {
   const Placement& placement = *view.placement;
-  Outlook outlook;
-  outlook.loads = loads_by(LoadModel::plan, placement, std::nullopt);
-  outlook.greatest = placement.loads->max;
+  Report report;
+  report.loads = loads_by(LoadModel::plan, placement, std::nullopt);
+  report.greatest = placement.loads->max;
   Occupied occupied = occupied_by_marks(view, mark_reach(size));
-  return load_labels(view, size, outlook, occupied);
+  return load_labels(view, size, report, occupied);
 }
 
 void draw_loads(const Painter& painter, const CanvasView& view,

@@ -30,7 +30,7 @@ struct LoadLabel {
 // The loads beside the robots, except a failed robot's and those without room; empty if no robot
 // carries anything. Adds the boxes to `occupied`. O(robots).
 std::vector<LoadLabel> load_labels(const CanvasView& view, const RobotSize& size,
-                                   const Outlook& outlook, Occupied& occupied);
+                                   const Report& report, Occupied& occupied);
 
 // The labels of the planned loads, without uncertainty, for the walkthrough.
 std::vector<LoadLabel> planned_load_labels(const CanvasView& view, const RobotSize& size);

@@ -118,7 +118,7 @@ void draw_swarm(const Painter& painter, const CanvasView& view, std::size_t team
     for (std::size_t i = 0; i < teams; ++i) {
       for (const Robot& robot : view.placement->teams[i].robots) {
         const std::size_t now = number++;
-        if (view.overloads(now, view.outlook().loads[now].greatest) != over) continue;
+        if (view.overloads(now, view.report().loads[now].greatest) != over) continue;
         draw(robot.point.position, over ? view.theme.amber_on_object : view.theme.robot);
       }
     }

@@ -16,7 +16,7 @@ void draw_robots(const Painter& painter, const CanvasView& view) {
   if (placement.teams.empty()) return;
   if (placement.teams.size() > most_single_robots)
     return draw_swarm(painter, view, placement.teams.size());
-  const Outlook& outlook = view.outlook();
+  const Report& report = view.report();
   const std::vector<RobotSize> sizes = robot_sizes(view, placement.teams, placement.teams.size());
   const bool at_rest = view.scene.progress >= 1;
   if (pairs_of(placement.teams) <= most_labelled && at_rest) {
@@ -24,7 +24,7 @@ void draw_robots(const Painter& painter, const CanvasView& view) {
     Occupied occupied = occupied_by_marks(view, mark_reach(size));
     draw_slide(painter, view, &occupied);
     draw_far_regions(painter, view, &occupied);
-    draw_loads(painter, view, load_labels(view, size, outlook, occupied));
+    draw_loads(painter, view, load_labels(view, size, report, occupied));
   } else {
     draw_slide(painter, view, nullptr);
     draw_far_regions(painter, view, nullptr);
@@ -53,10 +53,10 @@ void draw_robots(const Painter& painter, const CanvasView& view) {
     std::size_t number = robots_of(placement.teams, i);
     for (const Robot& robot : placement.teams[i].robots) {
       const Vec2& at = robot.point.position;
-      const double load = outlook.loads[number].greatest;
+      const double load = report.loads[number].greatest;
       draw_robot(painter, view.theme, grown(number, at), at,
                  {number + 1, paired ? i + 1 : 0, at - placement.centre_of_mass,
-                  outlook.greatest > 0 ? load / outlook.greatest : 0, view.overloads(number, load),
+                  report.greatest > 0 ? load / report.greatest : 0, view.overloads(number, load),
                   view.failure() && view.failure()->robot == number, is_marked(number),
                   robot.point.edge == beneath});
       ++number;

@@ -1,7 +1,6 @@
 #include "marks/stands.h"
 
 #include "evenlift/output/words.h"
-#include "evenlift/placed_robots.h"
 #include "marks/boxed_text.h"
 #include "marks/robot_discs.h"
 

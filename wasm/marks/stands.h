@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "evenlift/placed_robots.h"
+#include "evenlift/report.h"
 #include "picture/canvas_view.h"
 
 namespace evenlift::view {

@@ -94,9 +94,7 @@ void carried_out() {
 }  // namespace evenlift::view
 
 using namespace evenlift::view;
-using evenlift::CapacityInJson;
 using evenlift::Document;
-using evenlift::FailurePlan;
 using evenlift::Method;
 using evenlift::Result;
 using evenlift::Shown;
@@ -120,21 +118,16 @@ EMSCRIPTEN_KEEPALIVE const char* page_start(const char* fragment, const char* wo
 
 EMSCRIPTEN_KEEPALIVE const char* page_state() {
   const AppState& state = app().state;
-  std::optional<CapacityInJson> capacity;
-  const Shown& shown = state.work.document().shown;
-  std::optional<FailurePlan> spare =
-      state.derived().plan_due ? std::nullopt : state.derived().spare;
-  if (shown.capacity && !spare && state.derived().placement->settings.method != Method::balanced)
-    spare = evenlift::plan_for_failures({*state.derived().placement, shown}, *shown.capacity);
-  if (!shown.capacity && evenlift::has_capacities({*state.derived().placement, shown}))
-    capacity = CapacityInJson{};
-  if (shown.capacity)
-    capacity = CapacityInJson{state.derived().plan && !state.derived().plan_due
-                                  ? *state.derived().plan
-                                  : plan_capacity(*state.derived().placement, *shown.capacity),
-                              spare};
-  return hand_over(placement_json({*state.derived().placement, shown}, true, capacity,
-                                  failing(state) != nullptr));
+  const evenlift::ShownPlacement of(*state.derived().placement, state.work.document().shown);
+  evenlift::Report report = state.derived().report;
+  // The second number of balanced robots takes a search of its own.
+  const bool plans = report.if_one_fails || of.placement.settings.method != Method::balanced;
+  if (!plans && of.shown.capacity)
+    report.plan = evenlift::plan_capacity(of.placement, *of.shown.capacity);
+  evenlift::complete(report, of,
+                     {.models = true, .failures = failing(state) != nullptr, .plans = plans});
+  report.known.plans = true;
+  return hand_over(evenlift::placement_json({of, report}, true, failing(state) != nullptr));
 }
 
 // Returns why the text was refused, or an empty text.

@@ -62,8 +62,9 @@ void draw_signs(const Ui& ui, const RowOfPlaces& row, std::size_t count) {
       list.AddRect(ImVec2(middle - half, y - 12), ImVec2(middle + half, y + 12), colour.packed(), 5,
                    0, failed ? 2.0f : 1.0f);
     }
-    if (i < ui.state.derived().failures.size())
-      draw_sign(ui.theme, list, at, reach, mood_of(ui.state, ui.state.derived().failures[i]));
+    if (i < ui.state.derived().report.failures.size())
+      draw_sign(ui.theme, list, at, reach,
+                mood_of(ui.state, ui.state.derived().report.failures[i]));
     else
       draw_unknown(ui.theme, list, at, reach);
     if (each < least_for_number) continue;
@@ -78,7 +79,8 @@ void draw_signs(const Ui& ui, const RowOfPlaces& row, std::size_t count) {
 std::size_t signs(const AppState& state) {
   if (!state.derived().placement || state.derived().refusal || draws(state.view.tool)) return 0;
   const std::size_t count = count_robots(state.derived().placement->teams);
-  return count == state.derived().failures.size() || state.derived().failures_due ? count : 0;
+  return count == state.derived().report.failures.size() || state.derived().failures_due ? count
+                                                                                         : 0;
 }
 
 const char* caption(const AppState& state, std::size_t count) {

@@ -1,6 +1,5 @@
 // The result in numbers, each with its meaning.
-#include "evenlift/output/robustness_words.h"
-#include "evenlift/output/words.h"
+#include "evenlift/output/quantities.h"
 #include "panels/panels.h"
 #include "ui/controls.h"
 #include "widgets/text.h"
@@ -28,11 +27,7 @@ void fact(const Ui& ui, const char* label, const std::string& value, const char*
 void draw_numbers(const Ui& ui) {
   if (!ui.state.derived().placement) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-  for (const Fact& each : facts_in_words({shown_placement(ui.state), shown(ui.state)}))
-    fact(ui, each.label, each.value, each.about);
-  for (const Fact& each :
-       robustness_facts({*ui.state.derived().placement, shown(ui.state)},
-                        shown_outlook(ui.state).robustness, failing(ui.state) != nullptr))
+  for (const Fact& each : facts_in_words(reported(ui.state)))
     fact(ui, each.label, each.value, each.about);
   ImGui::PopStyleVar();
 }

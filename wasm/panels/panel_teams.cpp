@@ -24,9 +24,9 @@ struct Columns {
 std::string load_text(const Ui& ui, std::size_t number) {
   const Failure* failure = failing(ui.state);
   if (failure && failure->robot == number) return "fails";
-  const Outlook& outlook = shown_outlook(ui.state);
-  if (outlook.greatest == 0) return "–";
-  return amounts(outlook.model, outlook.loads[number], outlook.greatest);
+  const Report& report = shown_report(ui.state);
+  if (report.greatest == 0) return "–";
+  return amounts(report.model, report.loads[number], report.greatest);
 }
 
 // "5 6" for the third team.
@@ -75,12 +75,12 @@ void draw_heading(const Ui& ui, const Columns& c) {
 // The bar is fainter beyond the least load of a range.
 void draw_load_bar(const Ui& ui, const Columns& c, float y, std::size_t number, int side) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const Outlook& outlook = shown_outlook(ui.state);
-  const LoadRange& load = outlook.loads[number];
+  const Report& report = shown_report(ui.state);
+  const LoadRange& load = report.loads[number];
   const bool over = is_overloaded(ui.state, number);
   const float way = static_cast<float>(side), full = full_bar(c);
   const auto bar = [&](double value, Colour colour) {
-    const double share = outlook.greatest > 0 ? value / outlook.greatest : 0;
+    const double share = report.greatest > 0 ? value / report.greatest : 0;
     const float inner = c.middle + way * 1.5f,
                 outer = c.middle + way * (1.5f + full * static_cast<float>(share));
     list.AddRectFilled(ImVec2(std::min(inner, outer), y - 6), ImVec2(std::max(inner, outer), y + 6),
@@ -149,7 +149,7 @@ bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
 void draw_even_share(const Ui& ui, const Columns& c, float top, float bottom) {
   const Placement& placement = shown_placement(ui.state);
   if (!placement.loads) return;
-  const double mean = placement.loads->mean, greatest = shown_outlook(ui.state).greatest;
+  const double mean = placement.loads->mean, greatest = shown_report(ui.state).greatest;
   const float out = 1.5f + full_bar(c) * static_cast<float>(mean / greatest);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const float way : {-1.0f, 1.0f}) {

@@ -3,40 +3,29 @@
 #include <algorithm>
 #include <utility>
 
-#include "evenlift/capacity.h"
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/verdict.h"
 #include "evenlift/output/words.h"
-#include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
 #include "tools/drawing.h"
 #include "walkthrough/words.h"
 
 namespace evenlift::view {
 
-namespace {
-
-ShownPlacement of(const AppState& state) { return {*state.derived().placement, shown(state)}; }
-
-std::vector<std::size_t> overloaded(const AppState& state, const Outlook& outlook) {
-  std::vector<double> greatest;
-  for (const LoadRange& range : outlook.loads) greatest.push_back(range.greatest);
-  return overloaded_robots(of(state), greatest);
-}
-
-}  // namespace
-
-bool is_overloaded(const AppState& state) {
-  return !overloaded(state, state.derived().outlook).empty();
-}
+bool is_overloaded(const AppState& state) { return !state.derived().report.overloaded.empty(); }
 
 bool is_overloaded(const AppState& state, std::size_t robot) {
-  const std::optional<double> capacity = capacity_of(of(state), robot);
-  return capacity && exceeds(shown_outlook(state).loads[robot].greatest, *capacity);
+  const std::vector<std::size_t>& all = shown_report(state).overloaded;
+  return std::find(all.begin(), all.end(), robot) != all.end();
 }
 
 namespace {
+
+// The placement with all its robots.
+Reported whole(const AppState& state) {
+  return {{*state.derived().placement, shown(state)}, state.derived().report};
+}
 
 Mood mood_of(const Judgement& judgement, const Placement& placement) {
   if (judgement.kind == VerdictKind::good) return Mood::good;
@@ -46,11 +35,9 @@ Mood mood_of(const Judgement& judgement, const Placement& placement) {
 
 Verdict of_placement(const AppState& state) {
   const Placement& placement = *state.derived().placement;
-  const ShownPlacement now = of(state);
-  const Outlook& outlook = state.derived().outlook;
-  const std::string loads = loads_in_words(now, outlook.model, outlook.loads),
-                    news = worst_news_in_words(now, outlook.model, outlook.loads),
-                    if_uneven = if_uneven_in_words(now, outlook.loads);
+  const Reported now = whole(state);
+  const std::string loads = loads_in_words(now), news = worst_news_in_words(now),
+                    if_uneven = if_uneven_in_words(now);
   std::string detail = news.empty() ? std::string() : loads + " ";
   if (!if_uneven.empty()) detail += if_uneven + " ";
   detail += detail_in_words(now);
@@ -58,12 +45,11 @@ Verdict of_placement(const AppState& state) {
   if (const std::string cut = cut_short_in_words(placement); !cut.empty()) detail += " " + cut;
   if (!placement.teams.empty() && !placement.goal_reached)
     detail += " " + say("So the goal to hold is not reached.");
-  return {mood_of(judge(now, outlook.model, outlook.loads), placement), news.empty() ? loads : news,
-          std::move(detail)};
+  return {mood_of(judge(now), placement), news.empty() ? loads : news, std::move(detail)};
 }
 
 Verdict of_failure(const AppState& state, const Failure& failure) {
-  const ShownPlacement rest(failure.placement, shown(state));
+  const Reported rest({failure.placement, shown(state)}, failure.report);
   const bool tips = failure.rest && !failure.rest->stays;
   return {mood_of(state, failure.rest), failure_words(state, failure.robot),
           tips ? closure_in_words(rest) : rest_in_words(rest)};
@@ -139,14 +125,15 @@ std::string robots_in_words(const Placement& placement) {
 // Empty for many robots: the list would be too long to listen to.
 std::string loads_while_failing(const Failure& failure, const Units& units) {
   constexpr std::size_t most = 24;
-  const std::vector<LoadRange>& loads = failure.outlook.loads;
+  const std::vector<LoadRange>& loads = failure.report.loads;
   std::string text;
   if (!failure.rest || !failure.rest->stays || loads.size() > most) return text;
   for (std::size_t i = 0; i < loads.size(); ++i) {
     if (i == failure.robot) continue;
-    text += " " + say("Robot {robot} carries {load}.",
-                      {i + 1, load_in_words(failure.outlook.model, loads[i],
-                                            failure.outlook.greatest, units)});
+    text +=
+        " " +
+        say("Robot {robot} carries {load}.",
+            {i + 1, load_in_words(failure.report.model, loads[i], failure.report.greatest, units)});
   }
   return text;
 }
@@ -198,62 +185,42 @@ std::string score(const AppState& state) {
 }
 
 std::string need_in_words(const AppState& state, bool with_overloaded) {
-  if (!state.derived().placement || !has_capacities(of(state))) return {};
-  const Outlook& outlook = shown_outlook(state);
+  if (!state.derived().placement || !shown_report(state).has_capacities) return {};
   const Failure* failure = failing(state);
-  const Derived& facts = state.derived();
-  // During a drag, the plan is still for the former object.
-  const bool plans = !facts.plan_due;
-  const CapacityPlan* plan = plans && facts.plan ? &*facts.plan : nullptr;
-  const FailurePlan* spare = plans && facts.spare && !failure ? &*facts.spare : nullptr;
-  const auto failed = failure ? std::optional(failure->robot) : std::nullopt;
   // What tips carries nothing.
-  if (!with_overloaded || (failure && failure->rest && !failure->rest->stays))
-    return needs_in_words(of(state), plan, outlook.model, failed, spare);
-  return capacity_in_words(of(state), plan, overloaded(state, outlook), outlook.model, failed,
-                           spare);
+  const bool only_needs = !with_overloaded || (failure && failure->rest && !failure->rest->stays);
+  return only_needs ? needs_in_words(reported(state)) : capacity_in_words(reported(state));
 }
 
 std::string model_words(const AppState& state) {
-  const std::optional<ModelLoads>& models = state.derived().outlook.models;
-  return models ? model_in_words(state.view.load_model, *models, shown(state).units)
-                : std::string();
+  return state.derived().placement ? model_in_words(whole(state)) : std::string();
 }
 
 std::string uncertainty_words(const AppState& state) {
-  const std::optional<ModelLoads>& models = state.derived().outlook.models;
-  if (!models || !models->disturbance.any()) return {};
-  std::string text =
-      uncertainty_in_words(*models, state.derived().outlook.robustness, shown(state));
-  if (has_capacities(of(state)) && !tips_when_disturbed(of(state)))
-    text += (text.empty() ? "" : " ") + uncertainty_for_capacity_in_words(*models, of(state));
-  return text;
+  return state.derived().placement ? uncertainty_in_words(whole(state)) : std::string();
 }
 
 std::string carrying_words(const AppState& state) {
   const Derived& facts = state.derived();
   if (!facts.placement || facts.refusal || !facts.placement->loads) return {};
   std::string text;
-  for (const std::string& sentence :
-       {given_in_part_in_words(of(state)), tilt_in_words(facts.outlook.robustness, of(state)),
-        facts.outlook.extra ? extra_in_words(*facts.outlook.extra, of(state)) : std::string()})
+  for (const std::string& sentence : {given_in_part_in_words(whole(state)),
+                                      tilt_in_words(whole(state)), extra_in_words(whole(state))})
     if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;
   return text;
 }
 
 Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest) {
   if (!rest || !rest->stays) return Mood::falls;
-  return rest->clear && !overloads(of(state), rest) ? Mood::good : Mood::not_quite;
+  return rest->clear && !overloads(whole(state), rest) ? Mood::good : Mood::not_quite;
 }
 
 std::string failure_words(const AppState& state, std::size_t robot) {
-  const std::size_t all = count_robots(state.derived().placement->teams);
-  if (state.derived().failure && state.derived().failure->robot == robot)
-    return failure_in_words(robot, all, state.derived().failure->rest, shown(state).capacity,
-                            shown(state).units, conditions_in_words(shown(state)));
-  if (robot >= state.derived().failures.size()) return {};
-  return failure_in_words(robot, all, state.derived().failures[robot], shown(state).capacity,
-                          shown(state).units, conditions_in_words(shown(state)));
+  const Derived& facts = state.derived();
+  const bool fails = facts.failure && facts.failure->robot == robot;
+  if (!fails && robot >= facts.report.failures.size()) return {};
+  return failure_in_words(whole(state), robot,
+                          fails ? facts.failure->rest : facts.report.failures[robot]);
 }
 
 Verdict verdict(const AppState& state) {
@@ -376,12 +343,9 @@ std::string news(const AppState& state) {
   if (!state.work.second_method) return lines;
   const std::string method = method_in_words(*state.work.second_method);
   if (!state.derived().second) return lines + say("Compared with {method}.", {method}) + '\n';
-  const ShownPlacement second(*state.derived().second, shown(state));
-  return lines +
-         say("Compared with {method}: {result}",
-             {method, loads_in_words(second, state.derived().second_outlook.model,
-                                     state.derived().second_outlook.loads)}) +
-         " " + detail_in_words(second) + '\n';
+  const Reported second = reported(state, true);
+  return lines + say("Compared with {method}: {result}", {method, loads_in_words(second)}) + " " +
+         detail_in_words(second) + '\n';
 }
 
 }  // namespace evenlift::view

@@ -99,11 +99,11 @@ void draw_failing(const Ui& ui, const Failure& failure, std::size_t robot) {
                tips ? closure_in_words(rest) : rest_in_words(rest));
     return;
   }
-  const LoadRange& load = failure.outlook.loads[robot];
+  const LoadRange& load = failure.report.loads[robot];
   draw_row(ui,
            {"It carries now", failure.rest && failure.rest->stays
-                                  ? load_in_words(failure.outlook.model, load,
-                                                  failure.outlook.greatest, shown(ui.state).units)
+                                  ? load_in_words(failure.report.model, load,
+                                                  failure.report.greatest, shown(ui.state).units)
                                   : std::string("nothing")});
   draw_row(ui, {say("Robot {robot}", {failure.robot + 1}), "fails"});
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "evenlift/capacity.h"
 #include "evenlift/tolerance.h"
 #include "picture/painter.h"
 #include "picture/scene.h"
@@ -28,10 +27,11 @@ struct CanvasView {
     return {std::max(free.left, window.left), std::max(free.top, window.top),
             std::min(free.right, window.right), std::min(free.bottom, window.bottom)};
   }
-  const Outlook& outlook() const { return shown_outlook(state, second); }
+  const Report& report() const { return shown_report(state, second); }
   const Failure* failure() const { return second ? nullptr : failing(state); }
   bool overloads(std::size_t robot, double load) const {
-    const std::optional<double> capacity = capacity_of({*placement, shown(state)}, robot);
+    const auto& capacities = report().capacities;
+    const auto capacity = robot < capacities.size() ? capacities[robot] : std::nullopt;
     return capacity && exceeds(load, *capacity);
   }
   bool current() const { return placement && !state.derived().refusal; }

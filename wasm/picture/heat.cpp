@@ -5,7 +5,6 @@
 #include <iterator>
 #include <limits>
 
-#include "evenlift/placed_robots.h"
 #include "evenlift/plane.h"
 #include "picture/triangulate.h"
 
@@ -85,18 +84,17 @@ HeatBand band(const Placement& placement, const Points& corners,
 
 }  // namespace
 
-std::vector<HeatBand> heat_bands(const ShownPlacement& of,
-                                 const std::vector<std::uint32_t>& triangles) {
+std::vector<HeatBand> heat_bands(const Reported& of, const std::vector<std::uint32_t>& triangles) {
   const Placement& placement = of.placement;
   if (placement.lifting_base.size() < 3) return {};
-  const std::vector<Side> sides = cutting_sides(placement, effect_on(of).reach);
+  const std::vector<Side> sides = cutting_sides(placement, of.report.effect.reach);
   const Points corners = joined(placement.vertices(), placement.object.rings_of_holes());
   std::vector<HeatBand> bands;
   const auto add = [&](double share) {
     bands.push_back(band(placement, corners, triangles, sides, share));
   };
   add(0);
-  if (tips_when_disturbed(of)) return bands;
+  if (of.report.tips) return bands;
   for (const double level : heat_levels) add(level);
   add(std::numeric_limits<double>::infinity());
   return bands;

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "evenlift/placement.h"
+#include "evenlift/report.h"
 #include "ui/heat_levels.h"
 
 namespace evenlift::view {
@@ -27,7 +27,6 @@ struct HeatBand {
 // object's, from triangulate(); if they are empty, the bands have regions. A band is an
 // intersection of half-planes: the sides of the lifting base, moved outwards (algorithm.md,
 // Stability). O(levels n h) for n vertices and the h sides that have a vertex beyond them.
-std::vector<HeatBand> heat_bands(const ShownPlacement& of,
-                                 const std::vector<std::uint32_t>& triangles);
+std::vector<HeatBand> heat_bands(const Reported& of, const std::vector<std::uint32_t>& triangles);
 
 }  // namespace evenlift::view

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "evenlift/placement.h"
+#include "evenlift/report.h"
 #include "state/camera.h"
 
 namespace evenlift::view {

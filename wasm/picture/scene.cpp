@@ -67,7 +67,8 @@ void follow_anew(Scene& scene, const AppState& state, const Placement& placement
 
 }  // namespace
 
-void follow(Scene& scene, const AppState& state, const Placement& placement, double now) {
+void follow(Scene& scene, const AppState& state, const Reported& of, double now) {
+  const Placement& placement = of.placement;
   const Overlays& overlays = shown(state).overlays;
   const bool anew = scene.revision != state.derived().revision;
   if (anew || !(scene.overlays == overlays)) {
@@ -77,10 +78,9 @@ void follow(Scene& scene, const AppState& state, const Placement& placement, dou
     if (anew) follow_anew(scene, state, placement, before, now);
   }
   if (overlays.tipping) {
-    const ShownPlacement now_shown(placement, shown(state));
-    const double reach = effect_on(now_shown).reach;
+    const double reach = of.report.effect.reach;
     if (scene.heat.empty() || reach != scene.heat_reach)
-      scene.heat = heat_bands(now_shown, scene.triangles);
+      scene.heat = heat_bands(of, scene.triangles);
     scene.heat_reach = reach;
   }
   if (scene.progress < 1) {

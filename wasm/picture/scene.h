@@ -43,7 +43,7 @@ struct Scene {
 // Brings the scene up to date with the placement. This costs nothing while the document and the
 // overlays are unchanged; if only the overlays change, it costs one pass over the shapes. `now` is
 // in seconds.
-void follow(Scene& scene, const AppState& state, const Placement& placement, double now);
+void follow(Scene& scene, const AppState& state, const Reported& of, double now);
 
 // Returns whether a robot stood at this place before the change, for the animation.
 bool stood_there(const Scene& scene, const Vec2& robot);

@@ -9,33 +9,19 @@
 #include <string>
 #include <vector>
 
-#include "evenlift/capacity.h"
-#include "evenlift/extra_load.h"
-#include "evenlift/placed_robots.h"
-#include "evenlift/placement.h"
+#include "evenlift/report.h"
 #include "evenlift/trace.h"
 #include "state/explanation.h"
 #include "state/opened.h"
 
 namespace evenlift::view {
 
-// A placement's loads as shown, and its robustness. Robots are counted from 0, team after team.
-struct Outlook {
-  std::vector<LoadRange> loads;  // of each robot, by the load model `model`
-  LoadModel model = LoadModel::plan;
-  double greatest = 0;    // the greatest of these loads
-  Robustness robustness;  // see placed_robots.h
-  // Absent if the plan is shown and there is no Disturbance (uncertainty.h).
-  std::optional<ModelLoads> models;
-  std::optional<ExtraLoad> extra;  // where a further load may stand, if the user asks
-};
-
-// A failed robot, and the placement after its failure.
+// A failed robot, and the placement after its failure. Robots are counted from 0, team after team.
 struct Failure {
   std::size_t robot = 0;
   std::optional<RestOfRobots> rest;  // nothing if the others do not carry the object
   Placement placement;               // with_failure() of placed_robots.h
-  Outlook outlook;                   // of the other robots
+  Report report;                     // report_of_failure() of report.h
 };
 
 // The background search that improves the balanced robots on the screen. If a capacity is given, a
@@ -92,11 +78,12 @@ struct Derived {
   std::optional<FailurePlan> spare;  // the robots needed if any one robot may fail; for balanced
                                      // robots, a search finds it later (derive/search.h)
   bool plan_due = false;             // `plan` or `spare` may have changed
-  Outlook outlook, second_outlook;   // of the first and the second placement
-  std::vector<std::optional<RestOfRobots>> failures;  // one for each robot; empty while unknown
-  bool failures_due = true;                           // `failures` must be computed
-  std::optional<Failure> failure;                     // the simulated failure of a robot
-  std::optional<Explanation> explanation;             // the card about a robot, chord or candidate
+  // Of the first and the second placement, by the shown load model. The first has the effects of
+  // failures and plans as soon as they are known.
+  Report report, second_report;
+  bool failures_due = true;                // report.failures must be computed
+  std::optional<Failure> failure;          // the simulated failure of a robot
+  std::optional<Explanation> explanation;  // the card about a robot, chord or candidate
   Search search;
   Elsewhere elsewhere;
 

@@ -63,10 +63,10 @@ inline const Placement& shown_placement(const AppState& state, bool second = fal
   return failing(state) ? failing(state)->placement : *state.derived().placement;
 }
 
-// Returns the outlook of shown_placement(). O(1).
-inline const Outlook& shown_outlook(const AppState& state, bool second = false) {
-  if (second) return state.derived().second_outlook;
-  return failing(state) ? failing(state)->outlook : state.derived().outlook;
+// Returns the report about shown_placement(). O(1).
+inline const Report& shown_report(const AppState& state, bool second = false) {
+  if (second) return state.derived().second_report;
+  return failing(state) ? failing(state)->report : state.derived().report;
 }
 
 // Returns whether any robot of the first picture was moved by hand. O(1).
@@ -77,6 +77,11 @@ inline bool by_hand(const AppState& state) {
 // Return the members `settings` and `shown` of the present document. O(1).
 inline const Settings& settings(const AppState& state) { return state.work.document().settings; }
 inline const Shown& shown(const AppState& state) { return state.work.document().shown; }
+
+// Returns shown_placement() with its report. O(1).
+inline Reported reported(const AppState& state, bool second = false) {
+  return {{shown_placement(state, second), shown(state)}, shown_report(state, second)};
+}
 
 // Returns whether the picture is older than the document, because a worker is choosing the teams;
 // false if the document is refused. O(1).

@@ -68,22 +68,11 @@ struct Accuracy {
   }
 };
 
-// O(m^2 + m h) for m robots of up to 1,000, of which a few are computed again some 50 times, and O(m)
-// for more; with bodies O(m^2).
-Accuracy accuracy(const ShownPlacement& of);
-
 // The edge of the lifting base nearest to C, between two robots, counted from 0; and the tipping
-// distance (uncertainty.h). Empty if the object falls. If all robots are on one line, they are its
-// ends. O(m).
+// distance (uncertainty.h). If all robots are on one line, they are its ends.
 struct TippingLine {
   std::array<std::size_t, 2> robots{};
   double distance = 0;
 };
-std::optional<TippingLine> tipping_line(const Placement& placement);
-
-// Whether the object stands clearly (algorithm.md, Upright): C stays inside the lifting base by the
-// setting `clear` at least, and does not leave it under the given conditions, within tau L.
-// O(m log m).
-bool is_upright(const ShownPlacement& of);
 
 }  // namespace evenlift

@@ -37,13 +37,6 @@ std::vector<std::size_t> overloaded_robots(const ShownPlacement& of,
 // The result of capacity_of() for each robot. O(robots).
 std::vector<std::optional<double>> capacities_of(const ShownPlacement& of);
 
-// How far C may be off, at most, before any robot's load by springs (load_models.h) may exceed the
-// robot's limit, under the other given conditions, such as a slope. radius_within_capacity()
-// (uncertainty.h) computes this radius. Nothing if a load may exceed a limit even at radius 0.
-// Costs as much as model_loads().
-std::optional<double> com_radius_within(const ShownPlacement& of, const ModelLoads& loads,
-                                        const std::vector<std::optional<double>>& limits);
-
 // Whether any robot's load by springs may exceed the robot's capacity after a failure, within the
 // disturbance (uncertainty.h) for which `rest` was computed. False if the other robots do not carry
 // the object, or if it tips under these conditions. overloads_after() answers this for each failure.

@@ -84,9 +84,9 @@ bool may_let_go(LoadModel model, const Placement& placement,
                 const std::optional<ModelLoads>& models);
 
 // Returns the load of each robot by a model, for display: that of loads_by(), but without the given
-// conditions if the object tips under them, since what tips carries nothing. O(m log m).
-std::vector<LoadRange> shown_loads(const ShownPlacement& of, LoadModel model,
-                                   const std::optional<ModelLoads>& models);
+// conditions if the object `tips` under them, since what tips carries nothing. O(m).
+std::vector<LoadRange> shown_loads(const Placement& placement, LoadModel model,
+                                   const std::optional<ModelLoads>& models, bool tips);
 
 // Returns the planned loads for verdicts, requirements and capacities. They are ranges if there is
 // a disturbance (disturbance_of()), unless the object tips under it. O(m); with a disturbance, the
@@ -109,10 +109,6 @@ Robustness robustness(const Placement& placement);
 // (uncertainty.h). O(m log m).
 DisturbanceEffect effect_on(const ShownPlacement& of);
 
-// Returns the slope and the acceleration at which the object tips in the worst direction (tilt.h).
-// It returns nothing if there are no robots or the height of C is 0. O(m log m).
-std::optional<Tilt> tilt_of(const ShownPlacement& of);
-
 // Returns whether the object can tip under the given conditions, that is, whether they may move the
 // weight out of the lifting base by more than tau L. It returns false if there are no robots.
 // O(m log m).
@@ -125,10 +121,11 @@ bool tips_when_disturbed(const ShownPlacement& of);
 // the object tips without it, or if H has no area and the reach is not 0. O(m log m).
 double tipping_force(const ShownPlacement& of, const Vec2& q);
 
-// Returns the greatest load of each robot that statics allows under the given conditions:
+// Returns the greatest load of each robot that statics allows under conditions with this effect:
 // worst_loads() (load_models.h) with C anywhere within the reach. It returns nothing if the object
 // falls. O(m log m + m h).
-std::optional<std::vector<double>> worst_loads(const ShownPlacement& of);
+std::optional<std::vector<double>> worst_loads(const Placement& placement,
+                                               const DisturbanceEffect& effect);
 
 // The circles about C that a picture shows, each for one slope. Under the assumptions of tilt.h,
 // the object can tip on ground of that slope if the circle's point downhill from C lies outside the

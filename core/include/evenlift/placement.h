@@ -75,6 +75,10 @@ HoldRequirements hold_requirements(const Placement& placement);
 // (closure.h). O(n).
 bool hold_firmly(const Placement& placement);
 
+// Whether the robots hold the object: in form closure, whether they hold it firmly; otherwise,
+// whether it is held to second order. O(n).
+bool is_held(const Placement& placement);
+
 // Checks the document and computes its placement. The same document gives the same bits on every
 // platform. The errors are those of check_settings(), Polygon::create(),
 // PolygonWithHoles::create(), centre_of_mass(), make_stands(), place_supports(), find_candidates(),

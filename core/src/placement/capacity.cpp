@@ -178,18 +178,6 @@ std::vector<std::optional<double>> capacities_of(const ShownPlacement& of) {
   return capacities;
 }
 
-std::optional<double> com_radius_within(const ShownPlacement& of, const ModelLoads& loads,
-                                        const std::vector<std::optional<double>>& limits) {
-  Shown other = of.shown;
-  other.com_radius = 0;
-  const Disturbance besides = disturbance_of(other);
-  LoadChanges changes;
-  if (besides.any())
-    if (const auto models = model_loads(of.placement, besides)) changes = models->changes;
-  return radius_within_capacity(loads.springs, robustness(of.placement).tipping_distance, limits,
-                                changes);
-}
-
 bool overloads(const ShownPlacement& of, const std::optional<RestOfRobots>& rest) {
   return rest && rest->stays && !overloaded_robots(of, rest->ends).empty();
 }

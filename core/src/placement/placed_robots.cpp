@@ -176,14 +176,13 @@ bool may_let_go(LoadModel model, const Placement& placement,
 std::vector<LoadRange> loads_when_disturbed(const ShownPlacement& of) {
   const Disturbance disturbance = disturbance_of(of.shown);
   const auto models = disturbance.any() ? model_loads(of.placement, disturbance) : std::nullopt;
-  return shown_loads(of, LoadModel::plan, models);
+  return shown_loads(of.placement, LoadModel::plan, models, models && tips_when_disturbed(of));
 }
 
-std::vector<LoadRange> shown_loads(const ShownPlacement& of, LoadModel model,
-                                   const std::optional<ModelLoads>& models) {
-  if (models && has_ranges(model) && tips_when_disturbed(of))
-    return single(loads_of(model, of.placement, models));
-  return loads_by(model, of.placement, models);
+std::vector<LoadRange> shown_loads(const Placement& placement, LoadModel model,
+                                   const std::optional<ModelLoads>& models, bool tips) {
+  if (models && has_ranges(model) && tips) return single(loads_of(model, placement, models));
+  return loads_by(model, placement, models);
 }
 
 Equilibrium equilibrium(const Placement& placement) {
@@ -230,20 +229,10 @@ double tipping_force(const ShownPlacement& of, const Vec2& q) {
                        effect_on(of).reach);
 }
 
-std::optional<std::vector<double>> worst_loads(const ShownPlacement& of) {
-  const Placement& placement = of.placement;
+std::optional<std::vector<double>> worst_loads(const Placement& placement,
+                                               const DisturbanceEffect& effect) {
   return worst_loads(positions_of_all(placement), placement.centre_of_mass, diameter(placement),
-                     placement.weight(), effect_on(of).reach_of_loads);
-}
-
-std::optional<Tilt> tilt_of(const ShownPlacement& of) {
-  if (of.placement.teams.empty()) return std::nullopt;
-  const double size = diameter(of.placement);
-  auto tilt =
-      tilt_of(disturbance_of(of.shown), effect_on(of),
-              tipping_distance(of.placement.lifting_base, of.placement.centre_of_mass, size), size);
-  if (tilt && !of.placement.loads) tilt->stays = false;  // falls on level ground
-  return tilt;
+                     placement.weight(), effect.reach_of_loads);
 }
 
 std::vector<TiltCircle> tilt_circles(const ShownPlacement& of, double scale) {

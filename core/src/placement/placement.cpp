@@ -243,6 +243,10 @@ bool hold_firmly(const Placement& placement) {
          is_firm(placement.polygon(), closure.clearance, hold_requirements(placement));
 }
 
+bool is_held(const Placement& placement) {
+  return placement.closure.form_closure ? hold_firmly(placement) : placement.closure.second_order;
+}
+
 std::vector<LiftingPoint> contact_points(const Placement& placement) {
   return contact_points(placement.stands.get(), lifting_points(placement.teams));
 }

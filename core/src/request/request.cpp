@@ -26,8 +26,10 @@ std::string one_member(std::string_view name, std::string_view text) {
 }
 
 std::string placement_answer(const Request& request, const Placement& placement) {
-  const ShownPlacement of(placement, request.document.shown);
-  return placement_json(of, request.candidates, capacity_in_json(of), request.failures,
+  const bool failures = request.failures || need_failures(request.conditions);
+  const Reported of({placement, request.document.shown},
+                    {.models = true, .failures = failures, .plans = true});
+  return placement_json(of, request.candidates, request.failures,
                         check_conditions(of, request.conditions));
 }
 

@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "evenlift/extra_load.h"
 #include "evenlift/output/words.h"
-#include "evenlift/tilt.h"
 
 namespace evenlift {
 
@@ -30,24 +28,25 @@ std::string conditions_in_words(const Shown& shown);
 
 // Says which conditions count only in part because another number is missing: "The acceleration
 // changes nothing without the height of the centre of mass." The text is empty if all given
-// conditions count fully. O(m log m).
-std::string given_in_part_in_words(const ShownPlacement& of);
+// conditions count fully. O(m).
+std::string given_in_part_in_words(const Reported& of);
 
 // Says that the object can tip under the given conditions: "It can tip: the centre of mass may be
 // off by 200 mm, and 177 mm in one direction is enough.", or "On a slope of 8 % it tips." The text
-// is empty if the object cannot tip under them. O(m log m).
-std::string tipping_in_words(const Robustness& robustness, const ShownPlacement& of);
+// is empty if the object cannot tip under them. O(1).
+std::string tipping_in_words(const Reported& of);
 
 // Says when the object tips: "In the worst direction it tips at a slope of 14° (25 %) or, on level
 // ground, when it is braked at 0.25 g." If it stays under a given slope or acceleration, the text
 // adds what is left: "On the slope of 8 % it tips when it is braked at 0.19 g." The text is empty if
-// the height of C is 0. O(m log m).
-std::string tilt_in_words(const Robustness& robustness, const ShownPlacement& of);
+// the height of C is 0. O(1).
+std::string tilt_in_words(const Reported& of);
 
 // Says where a further load may stand: "Another 80 kg may stand on 62 % of the object without
 // lifting a robot off or overloading one, if all robots are equally stiff and level and the object does not bend. Up to 33.3 kg may stand
-// anywhere on it." A robot that is lifted off goes slack: it carries nothing. O(1).
-std::string extra_in_words(const ExtraLoad& extra, const ShownPlacement& of);
+// anywhere on it." A robot that is lifted off goes slack: it carries nothing. The text is empty if no such load is given, or if the
+// object falls. O(1).
+std::string extra_in_words(const Reported& of);
 
 // Describes a further load at a place, if robots are equally stiff: "80 kg here: robots carry
 // 12.1–54.2 kg", or "80 kg here tips it". `is_fine` is true if, under all given conditions, no

@@ -6,32 +6,21 @@
 #include <string>
 #include <vector>
 
-#include "evenlift/capacity.h"
 #include "evenlift/document.h"
 #include "evenlift/output/requirements.h"
-#include "evenlift/placement.h"
 #include "evenlift/result.h"
 
 namespace evenlift {
 
-struct CapacityInJson {
-  CapacityPlan plan;
-  std::optional<FailurePlan> if_one_fails;  // capacity_in_json() always sets it
-};
-
-// Returns the part of placement_json() about capacities, or nothing if no robot has a capacity.
-// Without a common capacity, both plans keep their defaults. The cost is that of the plans
-// (capacity.h).
-std::optional<CapacityInJson> capacity_in_json(const ShownPlacement& of);
-
 // Returns a placement as one JSON object, indented by two spaces, with short arrays on one line,
 // and a newline at the end. Numbers have the fewest digits that read back to the same double. The
-// bytes are the same on every platform. O(output), plus the costs of model_loads(), robustness(),
-// judge() and, if their results are in the text, misfits(), single_failures() and extra_load().
-std::string placement_json(const ShownPlacement& of, bool with_candidates,
-                           const std::optional<CapacityInJson>& capacity = std::nullopt,
-                           bool with_failures = false,
+// bytes are the same on every platform. Loads by models (Asked::models) must be known, and so must
+// failures if the text is to have them. Plans are in the text if they are known. O(output).
+std::string placement_json(const Reported& of, bool with_candidates, bool with_failures,
                            const std::vector<Requirement>& requirements = {});
+
+// The same with a report of its own, which costs as much as report_of().
+std::string placement_json(const ShownPlacement& of, bool with_candidates, Asked asked = {});
 
 // Returns {"candidates": [{"ends", "ratio", "kind"}]}, as in placement_json(). O(candidates).
 std::string candidates_json(const std::vector<Candidate>& candidates);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "evenlift/placement.h"
+#include "evenlift/report.h"
 
 namespace evenlift {
 

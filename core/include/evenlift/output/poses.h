@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "evenlift/placement.h"
+#include "evenlift/report.h"
 
 namespace evenlift {
 

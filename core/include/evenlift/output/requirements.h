@@ -7,18 +7,18 @@
 #include <string_view>
 #include <vector>
 
-#include "evenlift/placed_robots.h"
+#include "evenlift/report.h"
 #include "evenlift/result.h"
 
 namespace evenlift {
 
 // A condition on a quantity:
 //
-//   held               the robots hold the object (is_held() of words.h)
+//   held               the robots hold the object (is_held() of placement.h)
 //   stands             C is in the lifting base, within tau L (equilibrium.h)
 //   steady             the object does not tip after any one failure, both on level ground
 //                      (failures_clear) and under the disturbance (disturbance_of())
-//   upright            C is clearly in the lifting base (is_upright() of accuracy.h)
+//   upright            C is clearly in the lifting base (Report::upright)
 //   capacity           no robot carries more than its capacity
 //   coverage           the coverage, from 0 to 1
 //   max, min           the greatest and the least planned load
@@ -33,7 +33,7 @@ namespace evenlift {
 //   within             the length by which all robots may be off while all that is told stays true
 //                      (accuracy.h), infinite without a limit; none if the object falls or tips
 //   worst              the greatest load of a robot that statics allows, under the disturbance
-//                      (worst_loads() of placed_robots.h)
+//                      (Report::worst)
 //
 // The first five are true or false. `capacity`, `max` and `min` refer to the planned loads or,
 // under a disturbance, to the ends of their ranges (loads_when_disturbed()). If the object falls,
@@ -63,10 +63,12 @@ struct Requirement {
   bool kept = false;
 };
 
-// Determines the values of the conditions and whether they are met. O(m log m) for each condition;
-// `max_after_failure` costs as much as single_failures() (placed_robots.h), and so does `steady` if
-// there is a disturbance.
-std::vector<Requirement> check_conditions(const ShownPlacement& of,
+// Whether one of them needs the effects of failures (Asked::failures).
+bool need_failures(const std::vector<Condition>& conditions);
+
+// Determines the values of the conditions and whether they are met. Completes a copy of the report if
+// they need more than it has. O(m) for each condition.
+std::vector<Requirement> check_conditions(const Reported& of,
                                           const std::vector<Condition>& conditions);
 
 // Returns whether the condition's quantity is true or false, not a number. O(1).

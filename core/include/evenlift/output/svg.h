@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "evenlift/placement.h"
+#include "evenlift/report.h"
 
 namespace evenlift {
 
@@ -14,10 +14,10 @@ namespace evenlift {
 // colour. A caption and a <title>/<desc> describe the placement in words. The bytes are the same on
 // every platform. If `link` is the link of the document (link.h), evenlift can open the picture as
 // that document. O(output).
-std::string placement_svg(const ShownPlacement& of, std::string_view link = {});
+std::string placement_svg(const Reported& of, std::string_view link = {});
 
 // Draws the same picture at half the size, to be shown beside others. Letters and the robots' discs
 // keep their size, and there is no caption or link. O(output).
-std::string placement_sketch(const ShownPlacement& of);
+std::string placement_sketch(const Reported& of);
 
 }  // namespace evenlift

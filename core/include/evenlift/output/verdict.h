@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "evenlift/placed_robots.h"
+#include "evenlift/report.h"
 
 namespace evenlift {
 
@@ -24,19 +24,13 @@ struct Judgement {
 };
 
 // Describes the misfits of given supports (supports.h): returns a sentence for each of the first
-// three and, if there are more, one with the number of the others. O(m log n + m^2).
-std::vector<std::string> misfits_in_words(const ShownPlacement& of);
+// three and, if there are more, one with the number of the others. O(1).
+std::vector<std::string> misfits_in_words(const Reported& of);
 
-// Judges a placement. It is good if all requested teams are placed, every robot fits (misfits() of
-// placed_robots.h), none carries more than its capacity, the object does not tip within the
-// disturbance (disturbance_of()), the coverage is at least good_coverage (words.h), and the object
-// is held (is_held()). The capacities are compared with loads_when_disturbed() (placed_robots.h).
-// O(m log n + m^2) for given supports, otherwise O(m log m); with a disturbance, also the cost of
-// model_loads().
-Judgement judge(const ShownPlacement& of);
-
-// Judges a placement whose loads by the model that is shown are known (loads_by()): the capacities
-// are compared with them. O(m log n + m^2).
-Judgement judge(const ShownPlacement& of, LoadModel model, const std::vector<LoadRange>& loads);
+// Judges a placement. It is good if all requested teams are placed, every robot fits, none carries
+// more than its capacity by the loads that are shown, the object does not tip under the given
+// conditions, the coverage is at least good_coverage (words.h), C is clearly inside the lifting base,
+// the object is held, and all of this is so with robots that are off by the setting `accuracy`. O(m).
+Judgement judge(const Reported& of);
 
 }  // namespace evenlift

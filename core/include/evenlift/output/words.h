@@ -11,9 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "evenlift/capacity.h"
-#include "evenlift/placed_robots.h"
-#include "evenlift/placement.h"
+#include "evenlift/report.h"
 
 namespace evenlift {
 
@@ -111,16 +109,14 @@ int coordinate_decimals(const Points& vertices);  // O(n)
 // Describes the planned loads: "6 robots carry 15.2–18.1 kg each (100 kg in all)." For balanced
 // robots the text is "6 robots carry equal loads of 16.7 kg (100 kg in all)." With cargo the text
 // ends in "(120 kg with its cargo of 24 kg)." Without robots the text is like "No team can be
-// placed." If `shown` is a model other than the plan, the text begins with "As planned" or, for
-// given supports, with "If equally stiff". If the object tips under the given conditions, the text is
-// "On level ground and with C as given, 6 robots carry …". If there is another disturbance, `ranges`
-// may be the ranges of the planned loads (loads_by()). Then the text is "6 robots carry 14.9–18.4 kg each, with a C
-// uncertainty of 3 cm, on slopes up to 8 % (100 kg in all)." For given supports the text calls the
-// robots equally stiff, unless equilibrium alone determines the loads. If the object falls, the
-// text is "It falls: the centre of mass is 12 mm outside the lifting base, beyond robots 2 and 3."
-// O(m log m).
-std::string loads_in_words(const ShownPlacement& of, LoadModel shown = LoadModel::plan,
-                           const std::vector<LoadRange>& ranges = {});
+// placed." If the loads are shown by another model (Report::model), the text begins with "As planned"
+// or, for given supports, with "If equally stiff". If the object tips under the given conditions, the
+// text is "On level ground and with C as given, 6 robots carry …". Under other conditions the loads
+// are ranges: "6 robots carry 14.9–18.4 kg each, with a C uncertainty of 3 cm, on slopes up to 8 %
+// (100 kg in all)." For given supports the text calls the robots equally stiff, unless equilibrium
+// alone determines the loads. If the object falls, the text is "It falls: the centre of mass is 12 mm
+// outside the lifting base, beyond robots 2 and 3." O(m).
+std::string loads_in_words(const Reported& of);
 
 // Writes the weight, with cargo if there is any: "120 kg with its cargo of 24 kg", or "100 kg".
 // O(items).
@@ -145,14 +141,10 @@ std::string coverage_in_words(const Placement& placement);
 // be placed accurately, or how accurately all must be. Otherwise the text
 // says that the object is held to second order, that no contact counts, or which motions are free:
 // "It can still turn clockwise." The text is empty if there are no teams.
-std::string closure_in_words(const ShownPlacement& of);
+std::string closure_in_words(const Reported& of);
 
 // Names the free motions: "turn either way and slide". The text is empty if no motion is free.
 std::string free_motions_in_words(const Closure& closure);
-
-// Returns whether the robots hold the object. In form closure, the result is that of
-// hold_firmly() (placement.h); otherwise, it is true if the object is held to second order.
-bool is_held(const Placement& placement);
 
 // The least coverage of a good result.
 inline constexpr double good_coverage = 0.5;
@@ -161,23 +153,21 @@ inline constexpr double good_coverage = 0.5;
 // the coverage, the hold, and how far robots may be off if all is
 // well or an accuracy is asked for. The hold comes before the coverage if only
 // the hold is a problem.
-std::string detail_in_words(const ShownPlacement& of);
+std::string detail_in_words(const Reported& of);
 
 // Returns what is worst: that the object tips under the given conditions (tipping_in_words()), or
-// which robots are overloaded. `loads` are those of the model `shown` (loads_by()). The text is
-// empty if neither is so, or if the object falls, which loads_in_words() says. O(m log m).
-std::string worst_news_in_words(const ShownPlacement& of, LoadModel shown,
-                                const std::vector<LoadRange>& loads);
+// which robots are overloaded by the loads that are shown. The text is empty if neither is so, or if
+// the object falls, which loads_in_words() says.
+std::string worst_news_in_words(const Reported& of);
 
 // Says how much given supports can come to carry if the floor is not even: "If one of them stands a
 // little high, robots 1 and 3 can come to carry 60.0 kg." With capacities, it also names those that
-// can be overloaded then. The text is empty if statics alone determines the loads, or if `loads`,
-// the shown ranges, allow for it already. O(m log m).
-std::string if_uneven_in_words(const ShownPlacement& of, const std::vector<LoadRange>& loads);
+// can be overloaded then. The text is empty if statics alone determines the loads, or if the ranges
+// that are shown allow for it already. O(m).
+std::string if_uneven_in_words(const Reported& of);
 
 // Returns worst_news_in_words(), loads_in_words(), if_uneven_in_words() and detail_in_words().
-std::string verdict(const ShownPlacement& of, LoadModel shown = LoadModel::plan,
-                    const std::vector<LoadRange>& ranges = {});
+std::string verdict(const Reported& of);
 
 // Says why a robot cannot use a place, with the size that prevents it: "a robot of radius 60 mm
 // does not fit here".
@@ -192,33 +182,14 @@ std::string no_go_in_words(const std::vector<EdgePart>& no_go);
 // one robot must have a capacity.
 std::string limit_in_words(const ShownPlacement& of);
 
-// Names the robots whose planned loads exceed their capacities, or says that there are none. If
-// `plan` is given, the text adds the number of robots needed. If `if_one_fails` is given, the text
-// adds the number needed so that any one robot may fail. O(teams).
-std::string capacity_in_words(const ShownPlacement& of, const CapacityPlan* plan,
-                              const FailurePlan* if_one_fails = nullptr);
+// Names the robots that are overloaded by the loads that are shown, or says that there are none, and
+// adds needs_in_words(). O(teams).
+std::string capacity_in_words(const Reported& of);
 
-// Says the same for the robots that are `overloaded` according to this load model. If `failed` is
-// given, the loads are those after that robot (numbered from 0) has failed. `plan` assumes planned
-// loads without failures or a disturbance; the text says so if `overloaded` refers to other loads.
-std::string capacity_in_words(const ShownPlacement& of, const CapacityPlan* plan,
-                              const std::vector<std::size_t>& overloaded, LoadModel model,
-                              const std::optional<std::size_t>& failed = std::nullopt,
-                              const FailurePlan* if_one_fails = nullptr);
-
-// Says only how many robots are needed, without naming those that are overloaded.
-std::string needs_in_words(const ShownPlacement& of, const CapacityPlan* plan, LoadModel model,
-                           const std::optional<std::size_t>& failed = std::nullopt,
-                           const FailurePlan* if_one_fails = nullptr);
-
-// A label, a value and a sentence that explains them. facts_in_words() returns the facts about
-// candidates, coverage, loads and form closure.
-struct Fact {
-  const char* label;
-  std::string value;
-  const char* about;
-};
-std::vector<Fact> facts_in_words(const ShownPlacement& of);
+// Says only how many robots are needed, and how many so that any one may fail, as far as the report
+// has these plans. They assume planned loads without failures or a disturbance; the text says so if
+// other loads are shown.
+std::string needs_in_words(const Reported& of);
 
 // A team and its robots in words. The robots are in the order of the team. O(robots of the team).
 struct TeamInWords {

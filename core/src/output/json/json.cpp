@@ -2,15 +2,11 @@
 
 #include <cmath>
 
-#include "evenlift/accuracy.h"
 #include "evenlift/candidates.h"
 #include "evenlift/output/json_text.h"
 #include "evenlift/output/verdict.h"
-#include "evenlift/placed_robots.h"
 #include "evenlift/settings.h"
 #include "evenlift/stands.h"
-#include "evenlift/tilt.h"
-#include "evenlift/uncertainty.h"
 #include "output/json/robustness_json.h"
 #include "output/json/settings_json.h"
 
@@ -48,48 +44,35 @@ std::string teams_json(const Placement& placement) {
   return json::long_array(items, 1);
 }
 
-std::string loads_json(const Placement& placement, const std::optional<ModelLoads>& models) {
-  const std::optional<LoadSummary>& loads = placement.loads;
-  if (!loads) return "null";
-  std::vector<json::Member> members = {{"min", json::number(loads->min)},
-                                       {"mean", json::number(loads->mean)},
-                                       {"max", json::number(loads->max)},
-                                       {"spread", json::number(loads->spread)},
-                                       {"max_share", json::number(loads->max_share)},
-                                       {"models", json::models(models, 2)}};
+// With robots that are off, if any may be.
+const std::optional<ModelLoads>& models_of(const Report& report) {
+  return report.inexact_models ? report.inexact_models : report.models;
+}
+
+std::string loads_json(const Reported& of) {
+  if (!of.placement.loads) return "null";
+  const std::optional<ModelLoads>& models = models_of(of.report);
+  std::vector<json::Member> members = json::quantities_of("loads", of);
+  members.push_back({"models", json::models(models, 2)});
   if (models && models->are_ranges()) {
-    members.push_back({"ranges", json::ranges(loads_by(LoadModel::plan, placement, models))});
+    members.push_back({"ranges", json::ranges(loads_by(LoadModel::plan, of.placement, models))});
     members.push_back(
-        {"may_let_go", json::boolean(may_let_go(LoadModel::plan, placement, models))});
+        {"may_let_go", json::boolean(may_let_go(LoadModel::plan, of.placement, models))});
   }
   return json::long_object(members, 1);
 }
 
-std::string closure_json(const Closure& closure) {
+std::string closure_json(const Reported& of) {
+  const Closure& closure = of.placement.closure;
   std::vector<std::string> free;
   if (closure.clockwise.exists) free.push_back(json::text("clockwise"));
   if (closure.counterclockwise.exists) free.push_back(json::text("counterclockwise"));
   if (closure.translation_free) free.push_back(json::text("translation"));
-  return json::long_object(
-      {{"form_closure", json::boolean(closure.form_closure)},
-       {"margin", closure.margin ? json::number(*closure.margin) : "null"},
-       {"clearance", std::isfinite(closure.clearance.distance)
-                         ? json::number(closure.clearance.distance)
-                         : "null"},
-       {"tolerance", std::isfinite(closure.clearance.tolerance)
-                         ? json::number(closure.clearance.tolerance)
-                         : "null"},
-       {"second_order", json::boolean(closure.second_order)},
-       {"free", json::array(free)},
-       {"clockwise", json::points(closure.clockwise.clipped, 2)},
-       {"counterclockwise", json::points(closure.counterclockwise.clipped, 2)}},
-      1);
-}
-
-std::string com_radius_json(const ShownPlacement& of, const std::optional<ModelLoads>& models) {
-  if (!models) return "null";
-  const auto radius = com_radius_within(of, *models, capacities_of(of));
-  return radius ? json::number(*radius) : "null";
+  std::vector<json::Member> members = json::quantities_of("closure", of);
+  members.push_back({"free", json::array(free)});
+  members.push_back({"clockwise", json::points(closure.clockwise.clipped, 2)});
+  members.push_back({"counterclockwise", json::points(closure.counterclockwise.clipped, 2)});
+  return json::long_object(members, 1);
 }
 
 std::string failure_plan_json(const std::optional<FailurePlan>& plan) {
@@ -100,32 +83,32 @@ std::string failure_plan_json(const std::optional<FailurePlan>& plan) {
        {"robots_tried", std::to_string(plan->tried)}});
 }
 
-// By the planned loads; on slopes, when braked or on uneven ground, by the greatest ends of the
-// ranges. As in 1.0.0, a C uncertainty alone changes nothing.
-std::vector<std::size_t> overloaded_in_json(const ShownPlacement& of) {
-  Shown level = of.shown;
-  level.com_radius = 0;
-  if (!disturbance_of(level).any()) return overloaded_robots(of);
-  std::vector<double> greatest;
-  for (const LoadRange& range : loads_when_disturbed(of)) greatest.push_back(range.greatest);
-  return overloaded_robots(of, greatest);
+// As in 1.0.0, a C uncertainty alone changes nothing.
+std::string overloaded_json(const Reported& of) {
+  std::vector<std::string> robots;
+  for (const std::size_t robot : of.report.disturbance.besides_com()
+                                     ? of.report.overloaded_as_planned
+                                     : of.report.overloaded_at_rest)
+    robots.push_back(std::to_string(robot));
+  return json::array(robots);
 }
 
-std::string capacity_json(const ShownPlacement& of, const CapacityInJson& capacity,
-                          const std::optional<ModelLoads>& models) {
-  std::vector<std::string> robots;
-  for (const std::size_t robot : overloaded_in_json(of)) robots.push_back(std::to_string(robot));
+std::string capacity_json(const Reported& of) {
   const std::optional<double>& limit = of.shown.capacity;
-  const CapacityPlan& plan = capacity.plan;
-  return json::object(
-      {{"limit", limit ? json::number(*limit) : "null"},
-       {"overloaded", json::array(robots)},
-       {"teams_needed", plan.possible ? std::to_string(plan.teams) : "null"},
-       {"greatest_load", plan.possible ? json::number(plan.greatest_load) : "null"},
-       {"teams_tried", std::to_string(plan.tried)},
-       {"robots_needed", plan.possible ? std::to_string(plan.teams * plan.team_size) : "null"},
-       {"com_radius", com_radius_json(of, models)},
-       {"if_one_fails", failure_plan_json(capacity.if_one_fails)}});
+  const CapacityPlan plan = of.report.plan.value_or(CapacityPlan{});
+  const auto& radius = of.report.com_radius;
+  std::vector<json::Member> members = {
+      {"limit", limit ? json::number(*limit) : "null"},
+      {"overloaded", overloaded_json(of)},
+      {"teams_needed", plan.possible ? std::to_string(plan.teams) : "null"},
+      {"greatest_load", plan.possible ? json::number(plan.greatest_load) : "null"},
+      {"teams_tried", std::to_string(plan.tried)},
+      {"robots_needed", plan.possible ? std::to_string(plan.teams * plan.team_size) : "null"},
+      {"com_radius", radius ? json::number_or_null(radius->within) : "null"},
+      {"if_one_fails", failure_plan_json(of.report.if_one_fails)}};
+  for (json::Member& member : json::quantities_of("capacity", of))
+    members.push_back(std::move(member));
+  return json::object(members);
 }
 
 void add_holes(std::vector<json::Member>& members, const std::vector<Points>& holes) {
@@ -157,18 +140,11 @@ void add_stands(std::vector<json::Member>& members, const Placement& placement) 
   members.push_back({"unusable", unusable_json(placement)});
 }
 
-void add_carrying(std::vector<json::Member>& members, const ShownPlacement& of) {
+void add_carrying(std::vector<json::Member>& members, const Reported& of) {
   const Carrying& carrying = of.shown.carrying;
-  members.push_back({"tilt", json::tilt(tilt_of(of), 1)});
-  if (carrying.extra) members.push_back({"extra", json::extra(extra_load(of), *carrying.extra, 1)});
-}
-
-std::string failures_json(const ShownPlacement& of) {
-  const Disturbance disturbance = disturbance_of(of.shown);
-  const auto failures = single_failures(of.placement, disturbance);
-  return json::failures(failures,
-                        has_capacities(of) ? overloads_after(of, failures) : std::vector<bool>(),
-                        disturbance.any(), 1);
+  members.push_back({"tilt", json::tilt(of.report.tilt, 1)});
+  if (carrying.extra)
+    members.push_back({"extra", json::extra(of.report.extra, *carrying.extra, 1)});
 }
 
 std::string verdict_json(const Judgement& judgement) {
@@ -179,15 +155,15 @@ std::string verdict_json(const Judgement& judgement) {
 }
 
 // Supports that do not fit, and those over which a falling object tips.
-void add_misfits(std::vector<json::Member>& members, const Placement& placement) {
+void add_misfits(std::vector<json::Member>& members, const Reported& of) {
   std::vector<std::string> items, tips_over;
-  for (const Misfit& misfit : misfits(placement))
+  for (const Misfit& misfit : of.report.misfits)
     items.push_back(json::object(
         {{"robot", std::to_string(misfit.robot)}, {"why", json::text(misfit_in_words(misfit))}}));
   members.push_back({"misfits", json::long_array(items, 1)});
-  for (const std::uint32_t robot : equilibrium(placement).tips_over)
+  for (const std::uint32_t robot : of.report.equilibrium.tips_over)
     tips_over.push_back(std::to_string(robot));
-  if (!placement.loads) members.push_back({"tips_over", json::array(tips_over)});
+  if (!of.placement.loads) members.push_back({"tips_over", json::array(tips_over)});
 }
 
 std::string requirements_json(const std::vector<Requirement>& requirements) {
@@ -221,24 +197,17 @@ std::string candidates_json(const std::vector<Candidate>& candidates) {
   return json::long_object({{"candidates", candidate_list(candidates)}}, 0) + "\n";
 }
 
-std::optional<CapacityInJson> capacity_in_json(const ShownPlacement& of) {
-  if (!has_capacities(of)) return std::nullopt;
-  CapacityInJson capacity{{}, FailurePlan{}};
-  if (const auto& limit = of.shown.capacity)
-    capacity = {plan_capacity(of.placement, *limit), plan_for_failures(of, *limit)};
-  return capacity;
+std::string placement_json(const ShownPlacement& of, bool with_candidates, Asked asked) {
+  asked.models = true;
+  return placement_json({of, asked}, with_candidates, asked.failures);
 }
 
-std::string placement_json(const ShownPlacement& of, bool with_candidates,
-                           const std::optional<CapacityInJson>& capacity, bool with_failures,
+std::string placement_json(const Reported& of, bool with_candidates, bool with_failures,
                            const std::vector<Requirement>& requirements) {
   const Placement& placement = of.placement;
   const Settings& settings = placement.settings;
   const Document asked{{}, {}, settings, of.shown, {}};
   const bool robots = !placement.teams.empty();
-  std::optional<ModelLoads> models =
-      robots ? model_loads(placement, disturbance_of(of.shown)) : std::nullopt;
-  if (models) models = with_inaccuracy(*std::move(models), placement);
   const bool given = settings.method == Method::given;
   std::vector<json::Member> members = {{"polygon", json::points(placement.vertices(), 1)}};
   add_holes(members, placement.object.rings_of_holes());
@@ -252,13 +221,13 @@ std::string placement_json(const ShownPlacement& of, bool with_candidates,
   if (robots) members.push_back({"robots", json::robots(placement, 1)});
   members.push_back({"hull", json::points(placement.lifting_base, 1)});
   members.push_back({"coverage", json::number(placement.coverage)});
-  members.push_back({"loads", loads_json(placement, models)});
-  members.push_back({"closure", closure_json(placement.closure)});
+  members.push_back({"loads", loads_json(of)});
+  members.push_back({"closure", closure_json(of)});
   members.push_back({"goal", json::text(name(goal_of(settings)))});
   members.push_back({"goal_reached", json::boolean(placement.goal_reached)});
   members.push_back({"stands", json::boolean(placement.loads.has_value())});
   members.push_back({"verdict", verdict_json(judge(of))});
-  if (given) add_misfits(members, placement);
+  if (given) add_misfits(members, of);
   if (settings.method == Method::balanced || placement.cut_short)
     members.push_back(
         {"search_ended", json::boolean(placement.search_ended && !placement.cut_short)});
@@ -266,11 +235,12 @@ std::string placement_json(const ShownPlacement& of, bool with_candidates,
   add_asked(members, settings, of.shown.overlays);
   add_moved(members, placement.moved);
   add_stands(members, placement);
-  if (robots) members.push_back({"robustness", json::robustness(of, models, 1)});
-  if (robots) members.push_back({"accuracy", json::accuracy(accuracy(of), 1)});
-  if (robots && with_failures) members.push_back({"failures", failures_json(of)});
+  if (robots) members.push_back({"robustness", json::robustness(of, models_of(of.report), 1)});
+  if (robots) members.push_back({"accuracy", json::accuracy(of, 1)});
+  if (robots && with_failures) members.push_back({"failures", json::failures(of.report, 1)});
   add_carrying(members, of);
-  if (capacity) members.push_back({"capacity", capacity_json(of, *capacity, models)});
+  if (of.report.known.plans && of.report.has_capacities)
+    members.push_back({"capacity", capacity_json(of)});
   if (!requirements.empty()) members.push_back({"requirements", requirements_json(requirements)});
   return json::long_object(members, 0) + "\n";
 }

@@ -1,13 +1,22 @@
 #include "output/json/robustness_json.h"
 
+#include <cmath>
+
 #include "evenlift/output/json_text.h"
-#include "evenlift/uncertainty.h"
+#include "evenlift/output/quantities.h"
 
 namespace evenlift::json {
-namespace {
 
 std::string number_or_null(const std::optional<double>& value) {
   return value ? number(*value) : "null";
+}
+
+namespace {
+
+std::string written(const std::optional<double>& value, Unit unit) {
+  if (!value || std::isinf(*value)) return "null";
+  if (unit == Unit::yes_or_no) return boolean(*value == 1);
+  return number(*value);
 }
 
 std::string failure(std::size_t robot, const std::optional<RestOfRobots>& rest,
@@ -38,6 +47,17 @@ std::string failure(std::size_t robot, const std::optional<RestOfRobots>& rest,
 
 }  // namespace
 
+std::vector<Member> quantities_of(std::string_view object, const Reported& of) {
+  std::vector<Member> members;
+  for (const Quantity& quantity : quantities()) {
+    const std::size_t dot = quantity.json.find('.');
+    if (dot != std::string_view::npos && quantity.json.substr(0, dot) == object)
+      members.push_back(
+          {quantity.json.substr(dot + 1), written(quantity.value(of), quantity.unit)});
+  }
+  return members;
+}
+
 std::string robots(const Placement& placement, int depth) {
   std::vector<std::string> items;
   for (const PlacedRobot& robot : placed_robots(placement))
@@ -66,7 +86,8 @@ std::string ranges(const std::vector<LoadRange>& ranges) {
   return array(items);
 }
 
-std::string accuracy(const Accuracy& accuracy, int depth) {
+std::string accuracy(const Reported& of, int depth) {
+  const Accuracy& accuracy = of.report.accuracy;
   std::string limited_by = "null";
   if (accuracy.first) {
     std::vector<std::string> robots;
@@ -76,14 +97,12 @@ std::string accuracy(const Accuracy& accuracy, int depth) {
                          {"robots", array(robots)},
                          {"edge", edge ? std::to_string(*edge) : "null"}});
   }
-  return long_object({{"asked", number(accuracy.asked)},
-                      {"all_within", accuracy.first ? number(accuracy.first->within) : "null"},
-                      {"limited_by", limited_by},
-                      {"fits_within", number_or_null(accuracy[Promise::fits])},
-                      {"stands_within", number_or_null(accuracy[Promise::stands])},
-                      {"hold_within", number_or_null(accuracy[Promise::hold])},
-                      {"capacity_within", number_or_null(accuracy[Promise::capacity])}},
-                     depth);
+  std::vector<Member> members = {
+      {"asked", number(accuracy.asked)},
+      {"all_within", accuracy.first ? number(accuracy.first->within) : "null"},
+      {"limited_by", limited_by}};
+  for (Member& member : quantities_of("accuracy", of)) members.push_back(std::move(member));
+  return long_object(members, depth);
 }
 
 std::string tilt(const std::optional<Tilt>& tilt, int depth) {
@@ -110,17 +129,11 @@ std::string extra(const std::optional<ExtraLoad>& extra, double weight, int dept
                      depth);
 }
 
-std::string robustness(const ShownPlacement& of, const std::optional<ModelLoads>& models,
-                       int depth) {
+std::string robustness(const Reported& of, const std::optional<ModelLoads>& models, int depth) {
   const Placement& placement = of.placement;
   const double com_radius = of.shown.com_radius;
-  const Robustness known = evenlift::robustness(placement);
-  std::vector<Member> members = {
-      {"com_margin", number(equilibrium(placement).com_margin)},
-      {"failures_carried", std::to_string(known.failures_carried)},
-      {"failures_steady", std::to_string(known.failures_steady)},
-      {"failures_clear", std::to_string(known.failures_clear)},
-      {"load_per_length", models ? numbers(models->springs.per_length) : "null"}};
+  std::vector<Member> members = quantities_of("robustness", of);
+  members.push_back({"load_per_length", models ? numbers(models->springs.per_length) : "null"});
   if (com_radius > 0) {
     members.push_back({"com_radius", number(com_radius)});
     members.push_back({"exact_within", models ? number(models->springs.same_within) : "null"});
@@ -132,14 +145,13 @@ std::string robustness(const ShownPlacement& of, const std::optional<ModelLoads>
   return long_object(members, depth);
 }
 
-std::string failures(const std::vector<std::optional<RestOfRobots>>& failures,
-                     const std::vector<bool>& overloads, bool with_disturbance, int depth) {
+std::string failures(const Report& report, int depth) {
   std::vector<std::string> items;
-  for (std::size_t robot = 0; robot < failures.size(); ++robot)
-    items.push_back(
-        failure(robot, failures[robot],
-                overloads.empty() ? std::nullopt : std::optional<bool>(overloads[robot]),
-                with_disturbance));
+  for (std::size_t robot = 0; robot < report.failures.size(); ++robot)
+    items.push_back(failure(
+        robot, report.failures[robot],
+        report.has_capacities ? std::optional<bool>(report.overloads_after[robot]) : std::nullopt,
+        report.disturbance.any()));
   return long_array(items, depth);
 }
 

@@ -1,17 +1,20 @@
-// Writes loads and robustness for a placement's JSON, at nesting level `depth`. uncertainty.h
-// defines disturbances.
+// Writes loads and robustness for a placement's JSON, at nesting level `depth`.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "evenlift/accuracy.h"
-#include "evenlift/extra_load.h"
-#include "evenlift/placed_robots.h"
-#include "evenlift/tilt.h"
+#include "evenlift/output/json_text.h"
+#include "evenlift/report.h"
 
 namespace evenlift::json {
+
+std::string number_or_null(const std::optional<double>& value);
+
+// The members of this object that are quantities.
+std::vector<Member> quantities_of(std::string_view object, const Reported& of);
 
 std::string robots(const Placement& placement, int depth);
 
@@ -20,15 +23,13 @@ std::string models(const std::optional<ModelLoads>& models, int depth);
 std::string ranges(const std::vector<LoadRange>& ranges);
 
 // Includes the ranges of the loads if there is a disturbance.
-std::string robustness(const ShownPlacement& of, const std::optional<ModelLoads>& models,
-                       int depth);
+std::string robustness(const Reported& of, const std::optional<ModelLoads>& models, int depth);
 
 // If there is a disturbance, includes for each failure RestOfRobots::stays, and the greatest load
-// within the disturbance. `overloads` is empty if the robots have no capacity.
-std::string failures(const std::vector<std::optional<RestOfRobots>>& failures,
-                     const std::vector<bool>& overloads, bool with_disturbance, int depth);
+// within the disturbance.
+std::string failures(const Report& report, int depth);
 
-std::string accuracy(const Accuracy& accuracy, int depth);
+std::string accuracy(const Reported& of, int depth);
 std::string tilt(const std::optional<Tilt>& tilt, int depth);
 std::string extra(const std::optional<ExtraLoad>& extra, double weight, int depth);
 

@@ -8,7 +8,6 @@
 
 #include "evenlift/numbers.h"
 #include "evenlift/output/json_text.h"
-#include "evenlift/placed_robots.h"
 #include "evenlift/wording.h"
 
 namespace evenlift {

@@ -7,8 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "evenlift/capacity.h"
-#include "evenlift/extra_load.h"
 #include "evenlift/output/label_places.h"
 #include "evenlift/output/markup.h"
 #include "evenlift/output/picture.h"
@@ -45,7 +43,7 @@ struct Label {
 
 class Drawing {
  public:
-  explicit Drawing(const ShownPlacement& of, double share = 1)
+  explicit Drawing(const Reported& of, double share = 1)
       : of_(of),
         placement_(of.placement),
         sized_(robots_with_size(placement_)),
@@ -59,7 +57,7 @@ class Drawing {
     // Lines to C only show which robots belong together.
     if (is_one_team(placement.settings.method)) chord_width_ = 0.75;
     const std::vector<LoadRange> loads =
-        placement.loads ? loads_when_disturbed(of_) : std::vector<LoadRange>();
+        placement.loads ? of_.report.planned : std::vector<LoadRange>();
     for (const LoadRange& load : loads) largest_load_ = std::max(largest_load_, load.greatest);
     stands_ = find_stands(placement, sized_, loads, paper_, 0.8 * disc_);
   }
@@ -97,8 +95,7 @@ class Drawing {
            " role=\"img\" aria-labelledby=\"evenlift-title evenlift-description\""
            " font-family=\"Inter, 'Helvetica Neue', Helvetica, Arial, sans-serif\">\n" +
            "<title id=\"evenlift-title\">" + escaped(title()) + "</title>\n" +
-           "<desc id=\"evenlift-description\">" +
-           escaped(verdict(of_, LoadModel::plan, loads_when_disturbed(of_))) + "</desc>\n" +
+           "<desc id=\"evenlift-description\">" + escaped(verdict(of_)) + "</desc>\n" +
            (link.empty() ? "" : "<metadata>" + escaped(link) + "</metadata>\n") + fills() +
            rect(0, width, height, attribute("fill", panel_colour)) +
            rect(0, width, paper_.height, attribute("fill", ground_colour)) + drawing +
@@ -186,11 +183,11 @@ class Drawing {
 
   // Where a further load may stand.
   std::string load() {
-    if (of_.shown.overlays.load) seen_.load = extra_load(of_);
+    seen_.load = of_.shown.overlays.load && of_.report.extra;
     if (!seen_.load) return "";
     std::vector<Points> rings = {outline_};
     rings.insert(rings.end(), holes_.begin(), holes_.end());
-    return load_region(rings, paper_(seen_.load->region));
+    return load_region(rings, paper_(of_.report.extra->region));
   }
 
   std::string tilt() {
@@ -340,11 +337,10 @@ class Drawing {
   }
 
   bool overloads(const Stand& stand) const {
-    for (std::size_t i = 0; i < stand.loads.size(); ++i)
-      if (const auto capacity = capacity_of(of_, stand.robots[i]);
-          capacity && exceeds(stand.loads[i].greatest, *capacity))
-        return true;
-    return false;
+    const std::vector<std::size_t>& all = of_.report.overloaded_as_planned;
+    return std::any_of(stand.robots.begin(), stand.robots.end(), [&](std::size_t robot) {
+      return std::find(all.begin(), all.end(), robot) != all.end();
+    });
   }
 
   // What words must not cover, or should avoid.
@@ -416,7 +412,7 @@ class Drawing {
     return out;
   }
 
-  const ShownPlacement of_;
+  const Reported of_;
   const Placement& placement_;
   const std::vector<PlacedRobot> sized_;  // all, or none if they are points
   const Paper paper_;
@@ -436,11 +432,11 @@ class Drawing {
 }  // namespace
 }  // namespace svg
 
-std::string placement_svg(const ShownPlacement& of, std::string_view link) {
+std::string placement_svg(const Reported& of, std::string_view link) {
   return svg::Drawing(of).finished(link);
 }
 
-std::string placement_sketch(const ShownPlacement& of) {
+std::string placement_sketch(const Reported& of) {
   constexpr double share = 0.5;
   return svg::Drawing(of, share).without_caption();
 }

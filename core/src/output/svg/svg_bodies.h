@@ -4,9 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "evenlift/placed_robots.h"
-#include "evenlift/placement.h"
 #include "evenlift/plane.h"
+#include "evenlift/report.h"
 #include "output/svg/svg_paper.h"
 
 namespace evenlift::svg {

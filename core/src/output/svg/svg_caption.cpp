@@ -99,7 +99,7 @@ std::vector<KeyEntry> key(const Seen& seen) {
 
 }  // namespace
 
-Caption make_caption(const ShownPlacement& of, const Seen& seen, double top, double width) {
+Caption make_caption(const Reported& of, const Seen& seen, double top, double width) {
   const std::string dark = attribute("fill", text_colour);
   const std::string grey = attribute("fill", second_text_colour);
   Caption caption;
@@ -111,11 +111,10 @@ Caption make_caption(const ShownPlacement& of, const Seen& seen, double top, dou
     }
     y += 2;
   };
-  paragraph(loads_in_words(of, LoadModel::plan, loads_when_disturbed(of)), 17,
-            dark + attribute("font-weight", 600));
+  paragraph(loads_in_words(of), 17, dark + attribute("font-weight", 600));
   paragraph(detail_in_words(of), 15, dark);
-  if (seen.tilt) paragraph(tilt_in_words(robustness(of.placement), of), 15, dark);
-  if (seen.load) paragraph(extra_in_words(*seen.load, of), 15, dark);
+  if (seen.tilt) paragraph(tilt_in_words(of), 15, dark);
+  if (seen.load) paragraph(extra_in_words(of), 15, dark);
   paragraph(settings_line(of), 13, grey);
 
   double x = caption_margin;

@@ -1,11 +1,9 @@
 // The verdict, the settings, and a key to the visible colours, below the picture.
 #pragma once
 
-#include <optional>
 #include <string>
 
-#include "evenlift/extra_load.h"
-#include "evenlift/placement.h"
+#include "evenlift/report.h"
 
 namespace evenlift::svg {
 
@@ -13,8 +11,7 @@ namespace evenlift::svg {
 struct Seen {
   bool hull = false, clockwise = false, counterclockwise = false;
   bool no_go = false, unusable = false, body = false, overload = false, slide = false;
-  bool cargo = false, own_centre = false, tilt = false;
-  std::optional<ExtraLoad> load = {};
+  bool cargo = false, own_centre = false, tilt = false, load = false;
 };
 
 struct Caption {
@@ -23,7 +20,7 @@ struct Caption {
 };
 
 // `top` and `width` are in pixels.
-Caption make_caption(const ShownPlacement& of, const Seen& seen, double top, double width);
+Caption make_caption(const Reported& of, const Seen& seen, double top, double width);
 
 // The fill of a region of free rotations: hatching that rises to the right if they are clockwise,
 // otherwise to the left. So the regions can be told apart without colour, even where they overlap.

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "evenlift/placement.h"
+#include "evenlift/report.h"
 #include "evenlift/vec.h"
 
 namespace evenlift::svg {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "evenlift/placement.h"
+#include "evenlift/report.h"
 #include "output/svg/svg_paper.h"
 
 namespace evenlift::svg {

@@ -242,8 +242,7 @@ std::string StepCaptions::settled() const {
 
 std::string StepCaptions::failure() const {
   const std::optional<RestOfRobots>& rest = detail_.balanced->rest_of[item_];
-  const std::string fails =
-      failure_in_words(item_, detail_.balanced->rest_of.size(), rest, std::nullopt, trace_.units);
+  const std::string fails = failure_in_words({placement_, shown_in(trace_.units)}, item_, rest);
   if (!rest) return sentences({fails, "C is outside their lifting base: the object tips over."});
   return sentences(
       {fails,
@@ -255,8 +254,11 @@ std::string StepCaptions::failure() const {
 }
 
 std::string StepCaptions::failures() const {
-  const Robustness known = robustness(placement_);
-  const std::string text = failures_in_words(detail_.balanced->rest_of, trace_.units);
+  const Shown shown = shown_in(trace_.units);
+  Report report = report_of({placement_, shown});
+  report.failures = detail_.balanced->rest_of;
+  const Robustness& known = report.robustness;
+  const std::string text = failures_in_words({{placement_, shown}, report});
   if (known.failures_carried < 2) return text;
   return sentences(
       {text,
@@ -271,7 +273,7 @@ std::string StepCaptions::pairs() const {
   const std::size_t teams = pairs.teams.size();
   const double most = pairs.loads->max;
   const std::string loads = load_in_words(pairs.loads->min, most, most, trace_.units);
-  const int steady = robustness(pairs).failures_steady;
+  const int steady = report_of(pairs).robustness.failures_steady;
   const Piece all = counted(teams, "team"), most_failures = counted(teams - 1, "failure");
   return sentences(
       {fill(

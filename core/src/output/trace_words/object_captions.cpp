@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "evenlift/output/words.h"
-#include "evenlift/placed_robots.h"
 #include "evenlift/stands.h"
 #include "output/trace_words/step_captions.h"
 #include "output/trace_words/step_formulas.h"

@@ -396,7 +396,7 @@ std::string StepCaptions::loads() const {
   const LoadSummary& loads = *placement_.loads;
   if (trace_.given()) return loads_in_words(placement_);
   // If the model is not the plan's, the text begins with "As planned".
-  const std::string planned = loads_in_words(placement_, LoadModel::springs);
+  const std::string planned = loads_in_words({placement_, Asked{.model = LoadModel::springs}});
   if (trace_.balanced()) return planned;
   return sentences({planned, written(load(loads.min)) == written(load(loads.max))
                                  ? "All carry the same load."

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "evenlift/output/words.h"
-#include "evenlift/placed_robots.h"
 #include "output/trace_words/step_captions.h"
 #include "output/trace_words/step_formulas.h"
 
@@ -57,15 +56,15 @@ std::string StepCaptions::by_springs() const {
 }
 
 std::string StepCaptions::extremes() const {
-  const auto models = model_loads(placement_);
+  const Reported of({placement_}, Asked{.models = true});
+  const auto& models = of.report.models;
   return fill(
       "Other robots could share the weight differently. With ideal control, no robot would need to carry more than {best}. If their heights are unequal or the object bends, a robot may have to carry up to {worst}.",
       {load(models->best), load(*std::max_element(models->worst.begin(), models->worst.end()))});
 }
 
 std::string StepCaptions::falls() const {
-  Shown shown;
-  shown.units = trace_.units;
+  const Shown shown = shown_in(trace_.units);
   return loads_in_words({placement_, shown});
 }
 

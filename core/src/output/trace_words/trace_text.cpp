@@ -111,6 +111,12 @@ Piece with_decimals(double value, int decimals) {
   return {Piece::Kind::fixed, value, static_cast<double>(decimals)};
 }
 
+Shown shown_in(const Units& units) {
+  Shown shown;
+  shown.units = units;
+  return shown;
+}
+
 Piece exact(double value) { return {Piece::Kind::exact, value}; }
 
 Piece percent(double share) { return {Piece::Kind::percent, share}; }

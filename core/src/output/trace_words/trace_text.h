@@ -58,6 +58,9 @@ Piece number_unlike(double value, double other, double scale);
 
 Piece with_decimals(double value, int decimals);
 
+// How words about a placement are written for a trace in these units.
+Shown shown_in(const Units& units);
+
 // A number with the fewest digits that read back to the same number.
 Piece exact(double value);
 

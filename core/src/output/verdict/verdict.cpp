@@ -1,6 +1,5 @@
 #include "evenlift/output/verdict.h"
 
-#include "evenlift/capacity.h"
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/words.h"
@@ -45,9 +44,9 @@ std::string_view name(VerdictKind kind) {
   return {};
 }
 
-std::vector<std::string> misfits_in_words(const ShownPlacement& of) {
+std::vector<std::string> misfits_in_words(const Reported& of) {
   constexpr std::size_t most_listed = 3;
-  const std::vector<Misfit> all = misfits(of.placement);
+  const std::vector<Misfit>& all = of.report.misfits;
   std::vector<std::string> sentences;
   for (std::size_t i = 0; i < all.size() && i < most_listed; ++i)
     sentences.push_back(misfit_sentence(of, all[i]));
@@ -57,12 +56,7 @@ std::vector<std::string> misfits_in_words(const ShownPlacement& of) {
   return sentences;
 }
 
-Judgement judge(const ShownPlacement& of) {
-  if (of.placement.teams.empty()) return judge(of, LoadModel::plan, {});
-  return judge(of, LoadModel::plan, loads_when_disturbed(of));
-}
-
-Judgement judge(const ShownPlacement& of, LoadModel model, const std::vector<LoadRange>& loads) {
+Judgement judge(const Reported& of) {
   const Placement& placement = of.placement;
   Judgement judgement;
   std::vector<std::string>& reasons = judgement.reasons;
@@ -76,14 +70,13 @@ Judgement judge(const ShownPlacement& of, LoadModel model, const std::vector<Loa
   }
   const bool stands = placement.loads.has_value();
   if (!stands) add(loads_in_words(of));
-  if (stands) add(worst_news_in_words(of, model, loads));
+  if (stands) add(worst_news_in_words(of));
   const bool is_bad = !reasons.empty();
   for (std::string& misfit : misfits_in_words(of)) add(std::move(misfit));
   add(shortage_in_words(placement));
   add(upright_in_words(of));
-  if (placement.coverage < good_coverage && !tips_when_disturbed(of))
-    add(coverage_in_words(placement));
-  if (!is_held(placement)) add(closure_in_words(of));
+  if (placement.coverage < good_coverage && !of.report.tips) add(coverage_in_words(placement));
+  if (!of.report.held) add(closure_in_words(of));
   add(inaccuracy_in_words(of));
   judgement.kind = is_bad            ? VerdictKind::bad
                    : reasons.empty() ? VerdictKind::good

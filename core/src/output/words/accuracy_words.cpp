@@ -1,4 +1,3 @@
-#include "evenlift/accuracy.h"
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
@@ -26,35 +25,27 @@ std::string first_to_fail(const Accuracy::First& first) {
   return {};
 }
 
-constexpr std::array<const char*, promise_count> meanings{
-    "All at once, each along its edge, except robots in inward corners: what is told remains true. "
-    "Farther off, a robot may have no room",
-    "All at once, each along its edge, except robots in inward corners: what is told remains true. "
-    "Farther off, the object may tip",
-    "All at once, each along its edge, except robots in inward corners: what is told remains true. "
-    "Farther off, the robots may no longer hold it",
-    "All at once, each along its edge, except robots in inward corners: what is told remains true. "
-    "Farther off, a robot may be overloaded"};
-
 // The limit that is worth telling.
-const Accuracy::First* limit_of(const ShownPlacement& of, const Accuracy& accuracy) {
-  const bool is_told =
-      accuracy.first && accuracy.first->within > near_distance(of.placement.polygon().diameter());
-  return is_told ? &*accuracy.first : nullptr;
+const Accuracy::First* limit_of(const Reported& of) {
+  const auto& first = of.report.accuracy.first;
+  const bool is_told = first && first->within > near_distance(of.placement.polygon().diameter());
+  return is_told ? &*first : nullptr;
 }
 
 // What ends within the accuracy that is asked for.
-std::string broken_in_words(const ShownPlacement& of, const Accuracy& all) {
+std::string broken_in_words(const Reported& of) {
+  const Accuracy& all = of.report.accuracy;
   if (all.keeps_asked(near_distance(of.placement.polygon().diameter()))) return {};
   return say("With robots off by {distance} or more, {problem}.",
              {promised_length(all.first->within, of.shown.units), first_to_fail(*all.first)});
 }
 
 // For the accuracy that is asked for.
-std::string with_asked(const ShownPlacement& of, const Accuracy& all) {
+std::string with_asked(const Reported& of) {
+  const Accuracy& all = of.report.accuracy;
   const Units& units = of.shown.units;
   if (of.placement.teams.empty()) return {};
-  if (std::string broken = broken_in_words(of, all); !broken.empty()) return broken;
+  if (std::string broken = broken_in_words(of); !broken.empty()) return broken;
   const std::string asked = with_length_unit(plain(all.asked), units);
   if (!all.greatest)
     return say("With robots off by up to {distance} all of this still holds.", {asked});
@@ -66,17 +57,15 @@ std::string with_asked(const ShownPlacement& of, const Accuracy& all) {
 
 }  // namespace
 
-std::string inaccuracy_in_words(const ShownPlacement& of) {
-  return broken_in_words(of, accuracy(of));
-}
+std::string inaccuracy_in_words(const Reported& of) { return broken_in_words(of); }
 
-std::string accuracy_in_words(const ShownPlacement& of) {
-  const Accuracy all = accuracy(of);
-  if (all.asked > 0) return with_asked(of, all);
+std::string accuracy_in_words(const Reported& of) {
+  const Accuracy& all = of.report.accuracy;
+  if (all.asked > 0) return with_asked(of);
   // closure_in_words() says it.
-  const bool is_said = all.first && all.first->what == Promise::hold && !hold_firmly(of.placement);
+  const bool is_said = all.first && all.first->what == Promise::hold && !of.report.firm;
   if (is_said) return {};
-  const Accuracy::First* first = limit_of(of, all);
+  const Accuracy::First* first = limit_of(of);
   if (!first) return {};
   const std::string within = promised_length(first->within, of.shown.units);
   const std::vector<std::size_t>& exact = all.in_notches;
@@ -97,18 +86,10 @@ std::string accuracy_in_words(const ShownPlacement& of) {
       {within, numbers_from_1(exact)});
 }
 
-std::optional<Fact> accuracy_fact(const ShownPlacement& of) {
-  const Accuracy all = accuracy(of);
-  const Accuracy::First* first = limit_of(of, all);
-  if (!first) return std::nullopt;
-  return Fact{"Robots may be off by", promised_length(first->within, of.shown.units),
-              meanings[static_cast<std::size_t>(first->what)]};
-}
-
-std::string upright_in_words(const ShownPlacement& of) {
+std::string upright_in_words(const Reported& of) {
   if (of.placement.lifting_base.size() < 3) return {};
-  const auto line = tipping_line(of.placement);
-  if (!line || tips_when_disturbed(of) || is_upright(of)) return {};
+  const auto& line = of.report.tipping_line;
+  if (!line || of.report.tips || of.report.upright) return {};
   return say(
       "C is only {distance} inside the line from robot {a} to robot {b}.",
       {promised_length(line->distance, of.shown.units), line->robots[0] + 1, line->robots[1] + 1});

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "evenlift/angles.h"
-#include "evenlift/capacity.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
 #include "output/words/listed.h"
@@ -92,7 +91,7 @@ std::string conditions_in_words(const Shown& shown) {
   return text;
 }
 
-std::string given_in_part_in_words(const ShownPlacement& of) {
+std::string given_in_part_in_words(const Reported& of) {
   const Carrying& carrying = of.shown.carrying;
   std::string text;
   const auto add = [&](const std::string& sentence) {
@@ -104,9 +103,9 @@ std::string given_in_part_in_words(const ShownPlacement& of) {
             "weight acts across it: whether the object tips on it is not known."));
   if (carrying.acceleration > 0 && !(carrying.com_height > 0))
     add(say("The acceleration changes nothing without the height of the centre of mass."));
-  if (carrying.uneven > 0 && !carrying.give && !loads_are_determined(of.placement)) {
-    const auto worst = worst_loads(of);
-    if (worst && !worst->empty() && !tips_when_disturbed(of))
+  if (carrying.uneven > 0 && !carrying.give && !of.report.loads_are_determined) {
+    const auto& worst = of.report.worst;
+    if (worst && !worst->empty() && !of.report.tips)
       add(say("Without the give of the robots, the loads can reach those at worst, up to {load}.",
               {load_in_words(*std::max_element(worst->begin(), worst->end()), of.shown.units,
                              Toward::up)}));
@@ -114,11 +113,11 @@ std::string given_in_part_in_words(const ShownPlacement& of) {
   return text;
 }
 
-std::string tipping_in_words(const Robustness& robustness, const ShownPlacement& of) {
+std::string tipping_in_words(const Reported& of) {
   const Shown& shown = of.shown;
-  const double reach = effect_on(of).reach, distance = robustness.tipping_distance;
+  const double reach = of.report.effect.reach, distance = of.report.robustness.tipping_distance;
   if (reach > shown.com_radius) {
-    if (is_within_base(reach, distance, of.placement.polygon().diameter())) return {};
+    if (!of.report.tips) return {};
     const std::string conditions = conditions_in_words(shown);
     return with_capital(
         say(conditions_of(shown).size() == 1 ? "{conditions} it tips." : "{conditions}, it tips.",
@@ -131,9 +130,8 @@ std::string tipping_in_words(const Robustness& robustness, const ShownPlacement&
       {given_length(reach, shown.units), length_in_words(distance, shown.units, Toward::up)});
 }
 
-std::string tilt_in_words(const Robustness& robustness, const ShownPlacement& of) {
-  const auto tilt = tilt_of(disturbance_of(of.shown), effect_on(of), robustness.tipping_distance,
-                            of.placement.polygon().diameter());
+std::string tilt_in_words(const Reported& of) {
+  const std::optional<Tilt>& tilt = of.report.tilt;
   if (!tilt) return {};
   if (!(tilt->slope > 0)) return say("On any slope, and whenever it is braked, it can tip.");
   const std::string degrees = degrees_in_words(tilt->degrees),
@@ -148,7 +146,7 @@ std::string tilt_in_words(const Robustness& robustness, const ShownPlacement& of
                 "ground, when it is braked at {acceleration}.",
                 {degrees, slope, acceleration});
   // What is left with a slope or an acceleration allows for uneven heights; the above does not.
-  if (const double tilted = effect_on(of).tilt; tilted > 0)
+  if (const double tilted = of.report.effect.tilt; tilted > 0)
     text += " " + say("With heights off by up to {amount}, it tips at a slope of {slope}.",
                       {given_length(of.shown.carrying.uneven, of.shown.units),
                        slope_in_words(std::max(0.0, tilt->slope - tilted), Toward::down)});
@@ -163,7 +161,9 @@ std::string tilt_in_words(const Robustness& robustness, const ShownPlacement& of
   return text;
 }
 
-std::string extra_in_words(const ExtraLoad& extra, const ShownPlacement& of) {
+std::string extra_in_words(const Reported& of) {
+  if (!of.report.extra) return {};
+  const ExtraLoad& extra = *of.report.extra;
   constexpr const char* sentences[3][2] = {
       {"Another {weight} may stand anywhere on the object without lifting a robot off, if all robots are equally stiff and level and the object does not bend.",
        "Another {weight} may stand anywhere on the object without lifting a robot off or overloading "
@@ -179,7 +179,7 @@ std::string extra_in_words(const ExtraLoad& extra, const ShownPlacement& of) {
   const std::size_t where = extra.share >= 1 - tau ? 0 : extra.share <= tau ? 1 : 2;
   const std::string values[] = {given_weight(extra.weight, units), percentage(extra.share)};
   std::string text =
-      say_written(sentences[where][has_capacities(of) ? 1 : 0], values, where == 2 ? 2 : 1);
+      say_written(sentences[where][of.report.has_capacities ? 1 : 0], values, where == 2 ? 2 : 1);
   if (where != 0 && extra.anywhere && *extra.anywhere > 0)
     text += " " + say("Up to {load} may stand anywhere on it.",
                       {load_in_words(*extra.anywhere, units, Toward::down)});

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <string_view>
+#include <tuple>
 
-#include "evenlift/placed_robots.h"
 #include "evenlift/stands.h"
 #include "evenlift/swaps.h"
 #include "evenlift/tolerance.h"
@@ -31,17 +31,19 @@ std::string robots_of(const std::vector<std::size_t>& robots) {
 }
 
 // Whether the loads of this model are shown as ranges.
-bool shows_ranges(const ShownPlacement& of, LoadModel model) {
-  return has_ranges(model) && disturbance_of(of.shown).any();
+bool shows_ranges(const Reported& of, LoadModel model) {
+  return has_ranges(model) && of.report.disturbance.any();
 }
 
-std::string overload_in_words(const ShownPlacement& of, const std::vector<std::size_t>& robots,
-                              LoadModel model, const std::optional<std::size_t>& failed) {
+// Of these robots, by this model.
+std::string overload_in_words(const Reported& of, const std::vector<std::size_t>& robots,
+                              LoadModel model) {
   const Placement& placement = of.placement;
-  if (placement.teams.empty() || !placement.loads || !has_capacities(of)) return {};
+  const Report& report = of.report;
+  if (placement.teams.empty() || !placement.loads || !report.has_capacities) return {};
+  const bool failed = report.failed.has_value(), has_own = report.has_own_capacities;
   // What tips carries nothing.
-  if (!failed && shows_ranges(of, model) && tips_when_disturbed(of)) return {};
-  const bool has_own = has_own_capacities(of);
+  if (!failed && shows_ranges(of, model) && report.tips) return {};
   // `best` ignores different capacities.
   if (has_own && model == LoadModel::best) return {};
   const std::string limit = limit_in_words(of);
@@ -49,8 +51,7 @@ std::string overload_in_words(const ShownPlacement& of, const std::vector<std::s
     // If a given support stands a little high, some can be overloaded (if_uneven_in_words).
     const bool given = placement.settings.method == Method::given && !failed;
     const bool if_uneven =
-        given && !loads_are_determined(placement) &&
-        !overloaded_robots(of, worst_loads(of).value_or(std::vector<double>())).empty();
+        given && !report.loads_are_determined && !report.overloaded_at_worst.empty();
     return if_uneven ? std::string() : say("No robot carries more than {limit}.", {limit});
   }
   // `best` gives the greatest load, not its robot. By `worst`, and in ranges, not all robots have
@@ -77,13 +78,12 @@ std::string overload_in_words(const ShownPlacement& of, const std::vector<std::s
 
 // The plan assumes that all robots work, level and even ground, and an exact C. If other loads are
 // shown, the text says so.
-std::string need_in_words(const CapacityPlan& plan, const ShownPlacement& of, LoadModel model,
-                          const std::optional<std::size_t>& failed) {
+std::string need_in_words(const CapacityPlan& plan, const Reported& of) {
   const Settings& settings = of.placement.settings;
   const char* presumed =
-      failed                     ? "Considering load only, with no failures"
-      : model != LoadModel::plan ? "Considering load only, as planned"
-      : disturbance_of(of.shown).besides_com()
+      of.report.failed                     ? "Considering load only, with no failures"
+      : of.report.model != LoadModel::plan ? "Considering load only, as planned"
+      : of.report.disturbance.besides_com()
           ? "Considering load only, on level, even ground and with C known exactly"
       : of.shown.com_radius > 0 ? "Considering load only, with C known exactly"
                                 : nullptr;
@@ -110,14 +110,14 @@ std::string need_in_words(const CapacityPlan& plan, const ShownPlacement& of, Lo
                   : say("Even all {number} robots that can be placed are too few.", {tried});
 }
 
-std::string need_if_one_fails(const FailurePlan& plan, const ShownPlacement& of) {
+std::string need_if_one_fails(const FailurePlan& plan, const Reported& of) {
   if (of.placement.settings.method == Method::given) return {};
   if (plan.possible || plan.can_tip)
     return say(
         plan.can_tip
             ? "To allow for any one failure: {robots}, at most {load} each at rest if equally stiff, "
               "but the object can then tip."
-        : disturbance_of(of.shown).any()
+        : of.report.disturbance.any()
             ? "To allow for any one failure: {robots}, at most {load} each if equally stiff, within "
               "the given conditions."
             : "To allow for any one failure: {robots}, at most {load} each at rest if equally stiff.",
@@ -152,25 +152,13 @@ bool stands_beneath(const Placement& placement) {
 }
 
 // "It falls: the centre of mass is 12 mm outside the lifting base, beyond robots 2 and 3."
-std::string fall_in_words(const ShownPlacement& of) {
-  const Equilibrium equilibrium = evenlift::equilibrium(of.placement);
+std::string fall_in_words(const Reported& of) {
+  const Equilibrium& equilibrium = of.report.equilibrium;
   const std::vector<std::size_t> over(equilibrium.tips_over.begin(), equilibrium.tips_over.end());
   const double outside = -equilibrium.com_margin;
   return say(
       "It falls: the centre of mass is {distance} outside the lifting base, beyond {robots}.",
       {with_length_unit(amount(outside, outside), of.shown.units), robots_of(over)});
-}
-
-std::vector<double> greatest_of(const std::vector<LoadRange>& loads) {
-  std::vector<double> greatest;
-  for (const LoadRange& load : loads) greatest.push_back(load.greatest);
-  return greatest;
-}
-
-// A margin below 0 measures how far form closure is missed, not a strength.
-std::string hold_in_words(const Closure& closure) {
-  if (closure.form_closure && closure.margin) return margin_in_words(*closure.margin);
-  return closure.second_order ? "by curvature alone" : "not held";
 }
 
 // For messages about settings and links.
@@ -187,8 +175,7 @@ bool names_its_subject(std::string_view message) {
 
 }  // namespace
 
-std::string loads_in_words(const ShownPlacement& of, LoadModel shown,
-                           const std::vector<LoadRange>& ranges) {
+std::string loads_in_words(const Reported& of) {
   const Placement& placement = of.placement;
   if (!placement.search_ended && placement.teams.empty())
     return say("Still looking for places for {number} robots.", {placement.settings.robots});
@@ -200,24 +187,23 @@ std::string loads_in_words(const ShownPlacement& of, LoadModel shown,
   const std::string all = placement.settings.cargo.empty()
                               ? say("{weight} in all", {weight_in_words(of)})
                               : weight_in_words(of);
-  const bool tips = tips_when_disturbed(of);
+  const bool tips = of.report.tips;
   const std::string disturbance = tips ? std::string() : disturbance_in_words(of.shown);
   const LoadSummary& loads = *placement.loads;
-  const bool given = placement.settings.method == Method::given, planned = shown == LoadModel::plan;
+  const bool given = placement.settings.method == Method::given,
+             planned = of.report.model == LoadModel::plan;
   const std::size_t number = count_robots(placement.teams);
-  const std::string robots = planned && given && !loads_are_determined(placement)
+  const std::string robots = planned && given && !of.report.loads_are_determined
                                  ? count_of(number, "equally stiff robot", "equally stiff robots")
                                  : count_of(number, "robot", "robots");
-  if (planned && !disturbance.empty() && !ranges.empty()) {
-    double least = ranges.front().least, greatest = 0;
-    for (const LoadRange& range : ranges) {
-      least = std::min(least, range.least);
-      greatest = std::max(greatest, range.greatest);
-    }
+  if (planned && !disturbance.empty()) {
+    double least = of.report.greatest;
+    for (const LoadRange& range : of.report.loads) least = std::min(least, range.least);
     return say(
         number == 1 ? "{robots} carries {load}, {conditions} ({all})."
                     : "{robots} carry {load} each, {conditions} ({all}).",
-        {robots, load_in_words(LoadRange{least, greatest}, greatest, units), disturbance, all});
+        {robots, load_in_words(LoadRange{least, of.report.greatest}, of.report.greatest, units),
+         disturbance, all});
   }
   constexpr const char* sentences[4][3] = {
       {"{robots} carries {load} ({all}).", "{robots} carry {load} each ({all}).",
@@ -384,11 +370,11 @@ std::string coverage_in_words(const Placement& placement) {
              {share});
 }
 
-std::string closure_in_words(const ShownPlacement& of) {
+std::string closure_in_words(const Reported& of) {
   const Placement& placement = of.placement;
   if (placement.teams.empty()) return {};
   const Closure& closure = placement.closure;
-  if (closure.form_closure && !hold_firmly(placement)) return fragile_hold_in_words(of);
+  if (closure.form_closure && !of.report.firm) return fragile_hold_in_words(of);
   if (closure.form_closure)
     return say("The robots' contact alone stops it from sliding or turning.");
   if (closure.second_order)
@@ -413,40 +399,38 @@ std::string free_motions_in_words(const Closure& closure) {
   return turn ? say("{turn} and slide", {turn}) : say("slide");
 }
 
-bool is_held(const Placement& placement) {
-  return placement.closure.form_closure ? hold_firmly(placement) : placement.closure.second_order;
-}
-
-std::string detail_in_words(const ShownPlacement& of) {
+std::string detail_in_words(const Reported& of) {
   const Placement& placement = of.placement;
   const std::string coverage = coverage_in_words(placement), closure = closure_in_words(of);
   // A press matters only where the object stays without one. Problems come first.
   // Where there is a problem, there is little room: the facts say how far robots may be off.
-  const bool is_well = is_held(placement) && placement.coverage >= good_coverage;
+  const bool is_well = of.report.held && placement.coverage >= good_coverage;
   const bool is_asked = placement.settings.accuracy.value_or(0) > 0;
   const std::string accuracy = is_well || is_asked ? accuracy_in_words(of) : std::string();
-  if (tips_when_disturbed(of)) return joined({shortage_in_words(placement), closure, accuracy});
-  const bool closure_first = !is_held(placement) && placement.coverage >= good_coverage;
+  if (of.report.tips) return joined({shortage_in_words(placement), closure, accuracy});
+  const bool closure_first = !of.report.held && placement.coverage >= good_coverage;
   return joined({shortage_in_words(placement), upright_in_words(of),
                  closure_first ? closure : coverage, closure_first ? coverage : closure, accuracy});
 }
 
-std::string worst_news_in_words(const ShownPlacement& of, LoadModel shown,
-                                const std::vector<LoadRange>& loads) {
+std::string worst_news_in_words(const Reported& of) {
   if (!of.placement.loads) return {};
-  const std::string tips = tipping_in_words(robustness(of.placement), of);
-  const std::vector<std::size_t> overloaded = overloaded_robots(of, greatest_of(loads));
-  if (!tips.empty() || overloaded.empty()) return tips;
-  return overload_in_words(of, overloaded, shown, std::nullopt);
+  const std::string tips = tipping_in_words(of);
+  if (!tips.empty() || of.report.overloaded.empty()) return tips;
+  return overload_in_words(of, of.report.overloaded, of.report.model);
 }
 
-std::string if_uneven_in_words(const ShownPlacement& of, const std::vector<LoadRange>& loads) {
+std::string if_uneven_in_words(const Reported& of) {
   const Placement& placement = of.placement;
+  const Report& report = of.report;
   if (placement.settings.method != Method::given || !placement.loads ||
-      loads_are_determined(placement) || tips_when_disturbed(of))
+      report.loads_are_determined || report.tips || !report.worst || report.worst->empty())
     return {};
-  const std::vector<double> worst = worst_loads(of).value_or(std::vector<double>());
-  if (worst.empty() || worst == greatest_of(loads)) return {};  // the ranges say it
+  const std::vector<double>& worst = *report.worst;
+  const bool are_shown =
+      std::equal(worst.begin(), worst.end(), report.loads.begin(), report.loads.end(),
+                 [](double load, const LoadRange& range) { return load == range.greatest; });
+  if (are_shown) return {};
   const double most = *std::max_element(worst.begin(), worst.end());
   std::vector<std::size_t> who;
   for (std::size_t i = 0; i < worst.size(); ++i)
@@ -458,16 +442,14 @@ std::string if_uneven_in_words(const ShownPlacement& of, const std::vector<LoadR
           ? say("If one of them stands a little high, some robot can come to carry {load}.", {load})
           : say("If one of them stands a little high, {robots} can come to carry {load}.",
                 {robots_of(who), load});
-  const std::vector<std::size_t> overloaded = overloaded_robots(of, worst),
-                                 already = overloaded_robots(of, greatest_of(loads));
-  if (overloaded.empty() || overloaded == already) return text;
-  return text + " " + overload_in_words(of, overloaded, LoadModel::worst, std::nullopt);
+  const std::vector<std::size_t>& overloaded = report.overloaded_at_worst;
+  if (overloaded.empty() || overloaded == report.overloaded) return text;
+  return text + " " + overload_in_words(of, overloaded, LoadModel::worst);
 }
 
-std::string verdict(const ShownPlacement& of, LoadModel shown,
-                    const std::vector<LoadRange>& ranges) {
-  return joined({worst_news_in_words(of, shown, ranges), loads_in_words(of, shown, ranges),
-                 if_uneven_in_words(of, ranges), detail_in_words(of)});
+std::string verdict(const Reported& of) {
+  return joined(
+      {worst_news_in_words(of), loads_in_words(of), if_uneven_in_words(of), detail_in_words(of)});
 }
 
 std::string limit_in_words(const ShownPlacement& of) {
@@ -475,57 +457,14 @@ std::string limit_in_words(const ShownPlacement& of) {
                                 : given_weight(*of.shown.capacity, of.shown.units);
 }
 
-std::string capacity_in_words(const ShownPlacement& of, const CapacityPlan* plan,
-                              const FailurePlan* if_one_fails) {
-  return capacity_in_words(of, plan, overloaded_robots(of), LoadModel::plan, std::nullopt,
-                           if_one_fails);
+std::string capacity_in_words(const Reported& of) {
+  return joined({overload_in_words(of, of.report.overloaded, of.report.model), needs_in_words(of)});
 }
 
-std::string capacity_in_words(const ShownPlacement& of, const CapacityPlan* plan,
-                              const std::vector<std::size_t>& overloaded, LoadModel model,
-                              const std::optional<std::size_t>& failed,
-                              const FailurePlan* if_one_fails) {
-  return joined({overload_in_words(of, overloaded, model, failed),
-                 needs_in_words(of, plan, model, failed, if_one_fails)});
-}
-
-std::string needs_in_words(const ShownPlacement& of, const CapacityPlan* plan, LoadModel model,
-                           const std::optional<std::size_t>& failed,
-                           const FailurePlan* if_one_fails) {
-  return joined({plan ? need_in_words(*plan, of, model, failed) : std::string(),
+std::string needs_in_words(const Reported& of) {
+  const auto& [plan, if_one_fails] = std::tie(of.report.plan, of.report.if_one_fails);
+  return joined({plan ? need_in_words(*plan, of) : std::string(),
                  if_one_fails ? need_if_one_fails(*if_one_fails, of) : std::string()});
-}
-
-std::vector<Fact> facts_in_words(const ShownPlacement& of) {
-  const Placement& placement = of.placement;
-  const Units& units = of.shown.units;
-  const bool in_pairs = !is_one_team(placement.settings.method);
-  std::vector<Fact> facts;
-  if (in_pairs)
-    facts.push_back({"Candidate teams", std::to_string(placement.candidates.size()),
-                     "One for each candidate chord at this minimum load ratio; two robots each"});
-  if (placement.teams.empty()) return facts;
-  facts.push_back(
-      {"Coverage", percentage(placement.coverage, 1),
-       "Share of the object above the lifting base: pressing down there does not tip it, if robots "
-       "push back and none is overloaded"});
-  if (const auto& loads = placement.loads) {
-    facts.push_back({"Mean load", load_in_words(loads->mean, loads->max, units), "Of all robots"});
-    facts.push_back({"Spread of loads", load_in_words(loads->spread, loads->max, units),
-                     "Greatest load minus least load"});
-    if (in_pairs)
-      facts.push_back(
-          {"Greatest share in a team", percentage(loads->max_share, 1), "50 % in an even team"});
-  }
-  const Closure& closure = placement.closure;
-  facts.push_back(
-      {"Form closure", form_closure_in_words(closure),
-       "Whether the robots' contact alone keeps the object from moving in the plane, to first "
-       "order, if no robot gives way"});
-  facts.push_back({"Margin", hold_in_words(closure),
-                   "Strength of form closure; compare only placements of the same object"});
-  if (auto accuracy = accuracy_fact(of)) facts.push_back(*std::move(accuracy));
-  return facts;
 }
 
 int place_decimals(const Placement& placement) {

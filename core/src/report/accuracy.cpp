@@ -1,15 +1,11 @@
-#include "evenlift/accuracy.h"
+#include "report/accuracy_of.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "evenlift/capacity.h"
-#include "evenlift/equilibrium.h"
-#include "evenlift/predicates.h"
 #include "evenlift/stands.h"
-#include "evenlift/tilt.h"
 #include "evenlift/tolerance.h"
 #include "exact/sorted_indices.h"
 #include "placement/robot_drift.h"
@@ -91,9 +87,11 @@ class Room {
   double between(std::size_t i, std::size_t j, double most) const {
     const double room = std::max(0.0, stands_.room_between(robots_[i], robots_[j]));
     const RobotDrift &a = drifts_[i], &b = drifts_[j];
-    if (room == infinite || (a.is_fixed() && b.is_fixed()) || room >= 2 * most) return infinite;
     const double arm =
         std::max(stands_.robot().radius + stands_.robot().reach, stands_.robot().depth);
+    // Past bends an arm swings by at most twice its length.
+    if (room == infinite || (a.is_fixed() && b.is_fixed()) || room >= 2 * (most + 2 * arm))
+      return infinite;
     const double straight = a.is_fixed() || b.is_fixed() ? room : room / 2;
     return last_that(straight, [&](double error) {
       return a.way(arm, error) + b.way(arm, error) <= room * (1 + 1e-15);
@@ -106,21 +104,20 @@ class Room {
   const std::vector<RobotDrift>& drifts_;
 };
 
-std::optional<First> until_misfit(const Placement& placement,
+std::optional<First> until_misfit(const Placement& placement, const Report& known,
                                   const std::vector<RobotDrift>& drifts) {
-  if (!placement.stands || !misfits(placement).empty()) return std::nullopt;
+  if (!placement.stands || !known.misfits.empty()) return std::nullopt;
   return Room(placement, drifts).first();
 }
 
 // H moves by no more than its robots.
-std::optional<First> until_tipping(const ShownPlacement& of,
+std::optional<First> until_tipping(const Placement& placement, const Report& known,
                                    const std::vector<RobotDrift>& drifts) {
-  const Placement& placement = of.placement;
-  const auto line = tipping_line(placement);
-  if (!line || tips_when_disturbed(of)) return std::nullopt;
+  const auto& line = known.tipping_line;
+  if (!line || known.tips) return std::nullopt;
   if (std::all_of(drifts.begin(), drifts.end(), [](const auto& each) { return each.is_fixed(); }))
     return std::nullopt;
-  const double left = std::max(0.0, line->distance - effect_on(of).reach);
+  const double left = std::max(0.0, line->distance - known.effect.reach);
   const double depth = placement.settings.robot.depth;
   const double within = last_that(left, [&](double error) {
     return std::all_of(drifts.begin(), drifts.end(),
@@ -145,8 +142,9 @@ std::optional<First> until_loose(const Placement& placement) {
 // The loads with robots that are off, against the capacities.
 class Overload {
  public:
-  Overload(const ShownPlacement& of, const std::vector<RobotDrift>& drifts)
+  Overload(const ShownPlacement& of, const Report& known, const std::vector<RobotDrift>& drifts)
       : of_(of),
+        known_(known),
         size_(of.placement.polygon().diameter()),
         robots_(positions(lifting_points(of.placement.teams))),
         by_springs_(of.placement.settings.method == Method::given),
@@ -154,15 +152,14 @@ class Overload {
         errors_(robots_, of.placement.centre_of_mass,
                 known_size(robots_, of.placement.centre_of_mass, size_), of.placement.weight(),
                 planned_, !by_springs_, error_directions(of.placement, drifts)) {
-    const std::vector<LoadRange> ranges = loads_when_disturbed(of);
     for (std::size_t i = 0; i < robots_.size(); ++i) {
-      const auto limit = capacity_of(of, i);
-      ends_.push_back(ranges[i].greatest);
-      limits_.push_back(limit.value_or(infinite));
+      ends_.push_back(known.planned[i].greatest);
+      limits_.push_back(known.capacities.empty() ? infinite
+                                                 : known.capacities[i].value_or(infinite));
     }
   }
 
-  bool is_overloaded() const { return !overloaded_robots(of_, ends_).empty(); }
+  bool is_overloaded() const { return !known_.overloaded_as_planned.empty(); }
 
   // The greatest load if all robots are off by `error`: of those that are greatest to first order,
   // also computed again.
@@ -247,6 +244,7 @@ class Overload {
   }
 
   const ShownPlacement& of_;
+  const Report& known_;
   double size_;
   Points robots_;
   bool by_springs_;
@@ -255,8 +253,8 @@ class Overload {
   std::vector<double> ends_, limits_;  // the greatest loads without errors, and the capacities
 };
 
-std::optional<First> until_overload(const ShownPlacement& of, const Overload& overload) {
-  if (!has_capacities(of) || overload.is_overloaded()) return std::nullopt;
+std::optional<First> until_overload(const Report& known, const Overload& overload) {
+  if (known.capacities.empty() || overload.is_overloaded()) return std::nullopt;
   return overload.first();
 }
 
@@ -267,7 +265,7 @@ std::string_view name(Promise promise) {
   return names[static_cast<std::size_t>(promise)];
 }
 
-Accuracy accuracy(const ShownPlacement& of) {
+Accuracy accuracy_of(const ShownPlacement& of, const Report& known) {
   const Placement& placement = of.placement;
   Accuracy accuracy;
   accuracy.asked = placement.settings.accuracy.value_or(0);
@@ -282,52 +280,15 @@ Accuracy accuracy(const ShownPlacement& of) {
     if (!accuracy.first || first->within < accuracy.first->within - near)
       accuracy.first = std::move(first);
   };
-  add(until_misfit(placement, drifts));
-  add(until_tipping(of, drifts));
+  add(until_misfit(placement, known, drifts));
+  add(until_tipping(placement, known, drifts));
   add(until_loose(placement));
-  if (!placement.loads || tips_when_disturbed(of)) return accuracy;
-  if (!has_capacities(of) && !(accuracy.asked > 0)) return accuracy;
-  const Overload overload(of, drifts);
-  add(until_overload(of, overload));
+  if (!placement.loads || known.tips) return accuracy;
+  if (known.capacities.empty() && !(accuracy.asked > 0)) return accuracy;
+  const Overload overload(of, known, drifts);
+  add(until_overload(known, overload));
   if (accuracy.asked > 0) accuracy.greatest = overload.greatest(accuracy.asked);
   return accuracy;
-}
-
-std::optional<TippingLine> tipping_line(const Placement& placement) {
-  if (!placement.loads) return std::nullopt;
-  const Points robots = positions(lifting_points(placement.teams));
-  const auto robot_at = [&](const Vec2& corner) {
-    std::size_t nearest = 0;
-    for (std::size_t i = 0; i < robots.size(); ++i)
-      if (squared_length(robots[i] - corner) < squared_length(robots[nearest] - corner))
-        nearest = i;
-    return nearest;
-  };
-  const Points& base = placement.lifting_base;
-  TippingLine line;
-  line.distance = tipping_distance(base, placement.centre_of_mass, placement.polygon().diameter());
-  if (base.size() < 3) {
-    if (!base.empty()) line.robots = {robot_at(base.front()), robot_at(base.back())};
-    return line;
-  }
-  std::size_t least = 0;
-  const auto distance = [&](std::size_t i) {
-    const Vec2 &a = base[i], &b = base[(i + 1) % base.size()];
-    return orient(a, b, placement.centre_of_mass) / length(b - a);
-  };
-  for (std::size_t i = 1; i < base.size(); ++i)
-    if (distance(i) < distance(least)) least = i;
-  line.robots = {robot_at(base[least]), robot_at(base[(least + 1) % base.size()])};
-  std::sort(line.robots.begin(), line.robots.end());
-  return line;
-}
-
-bool is_upright(const ShownPlacement& of) {
-  const auto line = tipping_line(of.placement);
-  if (!line || tips_when_disturbed(of)) return false;
-  const double inside = std::max(hold_requirements(of.placement).inside,
-                                 effect_on(of).reach + of.placement.settings.accuracy.value_or(0));
-  return line->distance >= inside - near_distance(of.placement.polygon().diameter());
 }
 
 }  // namespace evenlift

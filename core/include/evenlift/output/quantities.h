@@ -1,0 +1,58 @@
+// One row for each number or yes-or-no that is told of a placement: its names, its unit, how it is
+// read from a report, what it means, and where it appears. From these rows come members of JSON, the
+// facts of program and page, the conditions of `--require`, and the columns of `--shape all`. A new
+// quantity is a new row.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "evenlift/output/words.h"
+
+namespace evenlift {
+
+enum class Unit : std::uint8_t { yes_or_no, count, number, share, weight, length, degrees };
+
+struct Quantity {
+  // A value: 1 for yes and 0 for no; a share from 0 to 1; infinite if there is no limit. Nothing if
+  // there is no value, as for a load of an object that falls.
+  std::optional<double> (*value)(const Reported& of) = nullptr;
+  Unit unit = Unit::number;
+
+  // Where it appears, unless these are empty.
+  std::string_view condition;   // its name in --require
+  std::string_view subject;     // there: a sentence if it is yes or no, else its subject
+  std::string_view json;        // its member, in the object before the dot: "loads.max"
+  const char* label = nullptr;  // in the list of facts
+  std::string_view column;      // the heading of a column
+
+  // Of facts: the meaning, and the condition under which it is true. The text is empty if it is not
+  // told now.
+  const char* about = nullptr;
+  std::string (*in_words)(const Reported& of) = nullptr;
+
+  bool needs_failures = false;  // of Asked
+};
+
+// All quantities, in the order in which they appear.
+std::span<const Quantity> quantities();
+
+// A label, a value and a sentence that explains them.
+struct Fact {
+  const char* label;
+  std::string value;
+  const char* about;
+};
+std::vector<Fact> facts_in_words(const Reported& of);
+
+// Writes a value of a column: "15.2", "81 %", "yes". `largest` is the largest value of the column.
+std::string cell_in_words(const Quantity& quantity, double value, double largest);
+
+// Adds the unit of the quantity to a number that is already text.
+std::string with_unit(const std::string& number, Unit unit, const Units& units);
+
+}  // namespace evenlift
