@@ -111,7 +111,8 @@ class Page {
     io.DeltaTime = 1.0f / 60;
     ImGui::NewFrame();
     advance(app, pointer, ImGui::GetTime());
-    draw_frame(app);
+    const Commands asked = draw_frame(app);
+    app.commands.insert(app.commands.end(), asked.begin(), asked.end());
     ImGui::Render();
     settle(app);
   }

@@ -27,28 +27,30 @@ Pointer over_one_picture(App& app, Pointer pointer) {
   return pointer;
 }
 
-void draw_picture(App& app) {
-  const AppState& state = app.state;
-  const double now = ImGui::GetTime();
-  follow(app.scene, state, reported(state), now);
-  if (state.derived().second) follow(app.second_scene, state, reported(state, true), now);
-  if (app.scene.progress < 1 || (state.derived().second && app.second_scene.progress < 1))
-    app.commands.push_back(LayOutAgain{});
-  draw_canvas(state, app.scene, app.second_scene, layout(state));
-}
-
 }  // namespace
 
 void advance(App& app, const Pointer& pointer, double now) {
-  frame_view(app.state);
-  interact(app.state, over_one_picture(app, pointer), app.commands);
+  AppState& state = app.state;
+  frame_view(state);
+  interact(state, over_one_picture(app, pointer), app.commands);
   settle(app);
-  turn_over(app.state, now);
+  turn_over(state, now);
+  app.layout = layout(state);
+  follow(app.scene, state, reported(state), now);
+  if (state.derived().second) follow(app.second_scene, state, reported(state, true), now);
 }
 
-void draw_frame(App& app, bool picture) {
-  if (picture) draw_picture(app);
-  draw_panels(app.state, app.commands);
+Commands draw_frame(const App& app, bool picture) {
+  const AppState& state = app.state;
+  Commands commands;
+  if (picture) {
+    const bool moves =
+        app.scene.progress < 1 || (state.derived().second && app.second_scene.progress < 1);
+    if (moves) commands.push_back(LayOutAgain{});
+    draw_canvas(state, app.scene, app.second_scene, app.layout);
+  }
+  draw_panels(state, app.layout, commands);
+  return commands;
 }
 
 bool settle(App& app) {

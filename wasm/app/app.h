@@ -4,12 +4,14 @@
 #include "actions/pointer.h"
 #include "picture/scene.h"
 #include "state/command.h"
+#include "state/layout.h"
 #include "state/state.h"
 
 namespace evenlift::view {
 
 struct App {
   AppState state;
+  Layout layout;  // of the state, made by advance()
   Scene scene, second_scene;
   bool over_second = false;  // the pointer is over the second picture, or was pressed there
   Commands commands;
@@ -21,10 +23,10 @@ struct App {
 // (derive/derive.h).
 void advance(App& app, const Pointer& pointer, double now);
 
-// Draws the state. Call it between ImGui::NewFrame() and ImGui::Render(). The panels' requests
-// become commands. Without `picture`, only lays out the panels, so that input is processed before a
-// frame is due. The layout costs the same for every polygon.
-void draw_frame(App& app, bool picture = true);
+// Draws what advance() has made, and returns the requests of the panels. Call it between
+// ImGui::NewFrame() and ImGui::Render(). Without `picture`, only lays out the panels, so that input is
+// processed before a frame is due. The panels cost the same for every polygon.
+Commands draw_frame(const App& app, bool picture = true);
 
 // Applies the commands. Returns whether there were any; if so, another frame is due.
 bool settle(App& app);

@@ -258,7 +258,8 @@ void draw_canvas(const AppState& state, const Scene& scene, const Scene& second,
   sharpen(list, state);
   draw_ground(list, state, colours);
   if (state.view.tool == Tool::draw) {
-    draw_drawing(Painter(list, state.view.camera, state.session.screen.area()), state, colours);
+    draw_drawing(Painter(list, state.view.camera, state.session.screen.area()), state, colours,
+                 layout.free);
     draw_hint(list, state, layout, colours);
     return;
   }
@@ -271,7 +272,8 @@ void draw_canvas(const AppState& state, const Scene& scene, const Scene& second,
   else
     draw_view(list, view);
   if (state.view.tool == Tool::hole)
-    draw_drawing(Painter(list, state.view.camera, state.session.screen.area()), state, colours);
+    draw_drawing(Painter(list, state.view.camera, state.session.screen.area()), state, colours,
+                 layout.free);
   draw_hint(list, state, layout, colours);
 }
 

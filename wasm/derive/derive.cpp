@@ -10,6 +10,7 @@
 #include "derive/reports.h"
 #include "derive/search.h"
 #include "evenlift/output/words.h"
+#include "evenlift/settings.h"
 #include "state/opened.h"
 #include "walkthrough/explain.h"
 
@@ -58,12 +59,9 @@ class Derivation {
   bool at_rest() const { return now_.haste == Haste::at_rest; }
   // A drag has ended, so postponed work is due.
   bool comes_to_rest() const { return at_rest() && before_.haste == Haste::drag; }
-  // Whether what a report tells of the same robots has changed.
-  bool asks_anew() const {
-    const Shown &now = now_.shown, &before = before_.shown;
-    return now_.load_model != before_.load_model || now.carrying != before.carrying ||
-           now.com_radius != before.com_radius || now.capacity != before.capacity ||
-           now.support_capacities != before.support_capacities;
+  // Whether a setting of which this is true has changed, of those that do not move robots.
+  bool differ(bool SettingRow::*column) const {
+    return !alike({{}, {}, {}, now_.shown}, {{}, {}, {}, before_.shown}, column);
   }
 
   void take_chosen();
@@ -210,8 +208,7 @@ void Derivation::place_second() {
 
 // During a drag, the number of teams for a capacity and the best ratio wait.
 void Derivation::plan() {
-  facts_.plan_due |= now_.shown.capacity != before_.shown.capacity ||
-                     disturbance_of(now_.shown) != disturbance_of(before_.shown);
+  facts_.plan_due |= differ(&SettingRow::plans);
   if (facts_.refusal || !facts_.placement) return;
   if (placed_ || comes_to_rest())
     facts_.best_ratio = at_rest() ? best_ratio_if_none(*facts_.placement) : std::nullopt;
@@ -228,7 +225,7 @@ void Derivation::plan() {
 
 void Derivation::tell_loads() {
   const bool disturbed = disturbance_of(now_.shown) != disturbance_of(before_.shown);
-  told_ |= robots_ || second_ || asks_anew();
+  told_ |= robots_ || second_ || now_.load_model != before_.load_model || differ(&SettingRow::told);
   if (robots_ || disturbed) {
     facts_.report.failures.clear();
     facts_.failures_due = true;
@@ -253,9 +250,7 @@ void Derivation::search() {
 // challenge.
 void Derivation::offer() {
   facts_.offer_due |= robots_ || facts_.elsewhere.under_way ||
-                      now_.challenge != before_.challenge ||
-                      now_.shown.capacity != before_.shown.capacity ||
-                      disturbance_of(now_.shown) != disturbance_of(before_.shown);
+                      now_.challenge != before_.challenge || differ(&SettingRow::told);
   const bool shown = at_rest() && facts_.placement && facts_.placement->search_ended &&
                      !now_.shown.step && !state_.session.screen.embed && !now_.challenge;
   if (!facts_.offer_due) return;

@@ -71,10 +71,9 @@ void begin_count(Derived& facts, const Shown& shown, Effects& effects) {
   search = {search.number + 1, false, false, true};
   const Document conditions{{}, {}, {}, shown};
   std::string settings = settings_of(facts, now);
-  for (const Setting setting :
-       {Setting::capacity, Setting::com_radius, Setting::com_height, Setting::slope,
-        Setting::acceleration, Setting::give, Setting::uneven})
-    settings += setting_line(setting, conditions);
+  for (const SettingRow& row : all_settings())
+    if (row.changes == Changes::shown && row.plans)
+      settings += setting_line(row.setting, conditions);
   effects.push_back(BeginSearch{search.number, write_thesis(facts.placed), settings, {}});
 }
 

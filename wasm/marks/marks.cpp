@@ -285,7 +285,7 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
     draw_stands(painter, view);
     draw_coverage(painter, view);
   }
-  if (state.view.tool == Tool::transform) draw_frame_grips(painter, state, view.theme);
+  if (state.view.tool == Tool::transform) draw_frame_grips(painter, view);
   draw_edge_offer(painter, view);
   draw_vertices(painter, view);
   draw_cargo(painter, view);

@@ -30,12 +30,13 @@ Points chain_with_cursor(const AppState& state, bool closing) {
 }
 
 // Before the first vertex is placed.
-void draw_first_cursor(const Painter& painter, const AppState& state, const Theme& theme) {
+void draw_first_cursor(const Painter& painter, const AppState& state, const Theme& theme,
+                       const Rect& free) {
   const std::optional<Vec2>& cursor = state.view.drawing.cursor;
   if (!cursor) return;
   painter.list().AddCircleFilled(painter.at(*cursor), 4, theme.accent.packed(), 16);
-  draw_word(painter.list(), state.view.camera.to_screen(*cursor), layout(state).free, theme,
-            theme.second_text, given_point(*cursor));
+  draw_word(painter.list(), state.view.camera.to_screen(*cursor), free, theme, theme.second_text,
+            given_point(*cursor));
 }
 
 std::set<std::size_t> crossed_edges(const Points& chain) {
@@ -115,9 +116,10 @@ void draw_edge_numbers(const Painter& painter, const Theme& theme, Colour colour
   }
 }
 
-void draw_drawing(const Painter& painter, const AppState& state, const Theme& theme) {
+void draw_drawing(const Painter& painter, const AppState& state, const Theme& theme,
+                  const Rect& free) {
   const Drawing& drawing = state.view.drawing;
-  if (drawing.points.empty()) return draw_first_cursor(painter, state, theme);
+  if (drawing.points.empty()) return draw_first_cursor(painter, state, theme, free);
   const bool closing =
       drawing.cursor && closes(state, state.view.camera.to_screen(*drawing.cursor));
   const Points chain = chain_with_cursor(state, closing);
@@ -142,7 +144,7 @@ void draw_drawing(const Painter& painter, const AppState& state, const Theme& th
   if (crossed.empty() && state.view.tool == Tool::draw) draw_centroid(painter, theme, chain);
   if (!drawing.cursor) return;
   const Vec2 spot = state.view.camera.to_screen(*drawing.cursor);
-  const Rect window = layout(state).free;
+  const Rect& window = free;
   if (closing) {
     if (drawing.refusal)
       draw_word(painter.list(), spot, window, theme, theme.amber,
@@ -159,7 +161,8 @@ void draw_drawing(const Painter& painter, const AppState& state, const Theme& th
   }
 }
 
-void draw_frame_grips(const Painter& painter, const AppState& state, const Theme& theme) {
+void draw_frame_grips(const Painter& painter, const CanvasView& view) {
+  const auto& [state, theme] = std::tie(view.state, view.theme);
   const Rect frame = transform_frame(state);
   ImDrawList& list = painter.list();
   const ImVec2 low = vec(frame.left, frame.top), high = vec(frame.right, frame.bottom);
@@ -172,7 +175,7 @@ void draw_frame_grips(const Painter& painter, const AppState& state, const Theme
                    1.5f);
     const Vec2 knob = (corners[0] + corners[1]) / 2;
     list.AddCircleFilled(vec(knob), 6.5f, theme.accent.packed(), 24);
-    return draw_word(list, knob, layout(state).free, theme, theme.text,
+    return draw_word(list, knob, view.layout.free, theme, theme.text,
                      fixed(since_grip(state).degrees, 1) + "°");
   }
   list.AddRect(low, high, theme.accent.at(0.6f).packed(), 4, 0, 1.5f);
@@ -195,7 +198,7 @@ void draw_frame_grips(const Painter& painter, const AppState& state, const Theme
   grip(FrameGrip::turn, true);
   if (held && state.view.held.index != static_cast<std::size_t>(FrameGrip::inside))
     draw_word(list, grip_place(state, frame, static_cast<FrameGrip>(state.view.held.index)),
-              layout(state).free, theme, theme.text,
+              view.layout.free, theme, theme.text,
               fixed(100 * since_grip(state).factor, 1) + "\u00A0%");
 }
 

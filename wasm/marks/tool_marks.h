@@ -8,8 +8,10 @@
 
 namespace evenlift::view {
 
-void draw_drawing(const Painter& painter, const AppState& state, const Theme& theme);
-void draw_frame_grips(const Painter& painter, const AppState& state, const Theme& theme);
+// Words stay within `free`.
+void draw_drawing(const Painter& painter, const AppState& state, const Theme& theme,
+                  const Rect& free);
+void draw_frame_grips(const Painter& painter, const CanvasView& view);
 
 struct NumberedEdge {
   Vec2 a, b;

@@ -156,7 +156,8 @@ bool pass(bool may_draw) {
   const Pointer pointer = page.input.pointer(a.state.session.screen.zoom);
   if (pointer.pressed || pointer.released) panels_change();
   advance(a, pointer, ImGui::GetTime());
-  draw_frame(a, draws);
+  const Commands asked = draw_frame(a, draws);
+  a.commands.insert(a.commands.end(), asked.begin(), asked.end());
   if (draws)
     show_frame(theme(a.state).ground.at(a.state.work.backdrop ? 0 : 1));
   else

@@ -233,16 +233,18 @@ void draw_edge_fields(const Ui& ui, float length_width, float angle_width) {
   if (length.withdrawn || angle.withdrawn) ui.push(WithdrawEdge{});
 }
 
-bool vertex_is_on_sheet(const AppState& state) {
-  return state.view.tool == Tool::parts && state.view.selected && !layout(state).wide &&
+bool vertex_is_on_sheet(const Ui& ui) {
+  const AppState& state = ui.state;
+  return state.view.tool == Tool::parts && state.view.selected && !ui.layout.wide &&
          state.view.sheet == Sheet::closed;
 }
 
 namespace {
 
 // On a low screen the vertex's buttons would cover robots, so they are at the foot of the panel.
-bool vertex_is_over_panel(const AppState& state) {
-  const Layout places = layout(state);
+bool vertex_is_over_panel(const Ui& ui) {
+  const AppState& state = ui.state;
+  const Layout& places = ui.layout;
   return state.view.tool == Tool::parts && state.view.selected && places.wide && places.low &&
          state.view.panel_open;
 }
@@ -256,7 +258,7 @@ void draw_vertex_buttons(const Ui& ui) {
   const char *remove = weight ? "Remove weight" : "Remove vertex", *add = "Add one after";
   const bool of_outline = handle && !weight && handle->ring == 0;
   const bool can_remove = !of_outline || ui.state.work.document().vertices.size() > 3;
-  const bool fills_row = vertex_is_on_sheet(ui.state) || vertex_is_over_panel(ui.state);
+  const bool fills_row = vertex_is_on_sheet(ui) || vertex_is_over_panel(ui);
   const float half = (ImGui::GetContentRegionAvail().x - gap) / 2;
   const auto width = [&](const char* label) {
     return fills_row ? half : word_button_width(ui, label);
@@ -267,21 +269,22 @@ void draw_vertex_buttons(const Ui& ui) {
   if (flat_button(ui, add, add, width(add))) run(ui, ActionId::insert_vertex);
 }
 
-bool has_tool_bar(const AppState& state) {
+bool has_tool_bar(const Ui& ui) {
+  const AppState& state = ui.state;
+  const Layout& places = ui.layout;
   if (state.session.screen.embed) return false;
-  const Layout places = layout(state);
   if (!places.wide && state.view.sheet == Sheet::full) return false;  // the drawing is covered
   if (state.view.tool != Tool::parts) return true;
   const bool held = state.view.held.kind != Pick::Kind::none;
   // On a low screen the bar would cover the robots that the card explains.
-  return state.view.selected && !held && !vertex_is_on_sheet(state) &&
+  return state.view.selected && !held && !vertex_is_on_sheet(ui) &&
          !(state.derived().explanation && places.low);
 }
 
 bool snaps_in_menu(const Ui& ui) {
   const bool little_room = ui.layout.low || (!ui.layout.wide && !draws(ui.state.view.tool));
   return little_room && ui.state.view.tool != Tool::mark && !adds_by_click(ui.state.view.tool) &&
-         (has_tool_bar(ui.state) || vertex_is_on_sheet(ui.state));
+         (has_tool_bar(ui) || vertex_is_on_sheet(ui));
 }
 
 void draw_snap_choices(const Ui& ui) {
@@ -292,11 +295,11 @@ void draw_snap_choices(const Ui& ui) {
 void draw_tool_bar(const Ui& ui) {
   const AppState& state = ui.state;
   // From the next frame on, everything beneath the panels avoids the bar.
-  const bool shown = has_tool_bar(state);
+  const bool shown = has_tool_bar(ui);
   if ((in_last_frame("has tool bar", shown, shown) != 0) != shown) ui.push(LayOutAgain{});
   if (!shown) return;
   const Rect &at = ui.layout.toolbar, &panel = ui.layout.panel;
-  const bool over_panel = vertex_is_over_panel(state);
+  const bool over_panel = vertex_is_over_panel(ui);
   const Rect foot{panel.left, panel.bottom - ui.layout.control - 16, panel.right, panel.bottom},
       below_toolbar{at.left, at.bottom + 8, at.right, at.bottom + 160};
   begin_card(ui, "tool bar", over_panel ? foot : below_toolbar,

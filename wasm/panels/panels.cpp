@@ -179,7 +179,7 @@ void draw_step_and_row(const Ui& ui) {
 // Controls of the selected vertex or the next edge replace the teams here: over the drawing, they
 // would cover it.
 void draw_row_below_verdict(const Ui& ui) {
-  if (vertex_is_on_sheet(ui.state)) return draw_vertex_buttons(ui);
+  if (vertex_is_on_sheet(ui)) return draw_vertex_buttons(ui);
   if (!draws(ui.state.view.tool) || ui.state.view.drawing.points.empty())
     return draw_teams_stepper(ui);
   const float labels = text_size(Face::label, "Length").x + text_size(Face::label, "Angle").x;
@@ -256,9 +256,8 @@ void draw_floating_player(const Ui& ui) {
 
 }  // namespace
 
-void draw_panels(const AppState& state, Commands& commands) {
+void draw_panels(const AppState& state, const Layout& places, Commands& commands) {
   begin_controls();
-  const Layout places = layout(state);
   apply_style(state, places.control);
   Pick row;
   const Ui ui{state, theme(state), places, commands, row};

@@ -13,7 +13,7 @@ struct Panel {
   bool (*shown)(const AppState&) = nullptr;  // whether it is shown; null: always
 };
 
-void draw_panels(const AppState& state, Commands& commands);
+void draw_panels(const AppState& state, const Layout& places, Commands& commands);
 
 // The sections, each in its own file.
 void draw_verdict(const Ui& ui);          // the whole verdict, of constant height
@@ -66,7 +66,7 @@ void draw_edge_fields(const Ui& ui, float length_width, float angle_width);
 // draw_vertex_buttons() draws the buttons for the selected vertex. vertex_is_on_sheet() returns
 // whether these are on the closed sheet of a narrow screen instead of in a bar over the drawing.
 void draw_vertex_buttons(const Ui& ui);
-bool vertex_is_on_sheet(const AppState& state);
+bool vertex_is_on_sheet(const Ui& ui);
 void draw_view_tools(const Ui& ui);
 void draw_way_back(const Ui& ui);
 void draw_notice(const Ui& ui);

@@ -115,6 +115,8 @@ struct SettingRow {
   std::string_view json = {};  // the name of its JSON member, if that is not `name`
   Listed in_document = Listed::never, in_result = Listed::never;
   bool is_length = false;  // in the document's unit of length
+  bool plans = true;       // whether the number of robots needed depends on it (capacity.h)
+  bool told = true;  // of settings with Changes::shown: whether reports depend on it (report.h)
 
   // Reads and writes the member of a Document that holds the setting. `read` returns whether the
   // text is valid, and changes the document only if it is. `text` returns text that `read` accepts,
@@ -136,6 +138,9 @@ struct SettingRow {
 // O(1).
 std::span<const SettingRow> all_settings();
 const SettingRow& row_of(Setting setting);
+
+// Whether two documents have the same values of all settings in whose rows this is true. O(settings).
+bool alike(const Document& a, const Document& b, bool SettingRow::*column);
 
 // Whether JSON and links include the setting. They omit a setting of balanced robots, of the goal
 // `hold` or of supports if it has no effect with these `settings`. O(1).

@@ -111,6 +111,7 @@ constexpr SettingRow rows[] = {
      .option = {OptionGroup::placement, "N",
                 "number of teams, or max for every candidate (default 3)"},
      .in_document = Listed::always,
+     .plans = false,
      .access = of<&Settings::teams>()},
     {.setting = Setting::method,
      .name = "metric",
@@ -167,6 +168,8 @@ constexpr SettingRow rows[] = {
          "must be none or some of candidates, chords, hull, clockwise, counterclockwise, tipping, halo, "
          "tilt and load",
      .in_document = Listed::always,
+     .plans = false,
+     .told = false,
      .access = of<&Shown::overlays>()},
     {.setting = Setting::step,
      .name = "step",
@@ -174,6 +177,8 @@ constexpr SettingRow rows[] = {
      .changes = Changes::shown,
      .range = {0, 4294967295.0, "none"},
      .in_document = Listed::always,
+     .plans = false,
+     .told = false,
      .access = of<&Shown::step>()},
     {.setting = Setting::com_radius,
      .name = "com_radius",
@@ -230,6 +235,8 @@ constexpr SettingRow rows[] = {
      .option = {OptionGroup::units, "U", "label of lengths: m, cm, mm or in (default none)"},
      .in_document = Listed::if_changed,
      .in_result = Listed::if_changed,
+     .plans = false,
+     .told = false,
      .access = of<&Shown::units, &Units::length>()},
     {.setting = Setting::weight_unit,
      .name = "weight_unit",
@@ -238,6 +245,8 @@ constexpr SettingRow rows[] = {
      .option = {OptionGroup::units, "U", "label of weights: kg (default), t, N or lb"},
      .in_document = Listed::if_changed,
      .in_result = Listed::if_changed,
+     .plans = false,
+     .told = false,
      .access = of<&Shown::units, &Units::weight>()},
     {.setting = Setting::goal,
      .name = "goal",
@@ -260,6 +269,7 @@ constexpr SettingRow rows[] = {
      .json = "requested_robots",
      .in_document = Listed::always,
      .in_result = Listed::always,
+     .plans = false,
      .access = of<&Settings::robots>()},
     {.setting = Setting::positions,
      .name = "positions",
@@ -375,6 +385,7 @@ constexpr SettingRow rows[] = {
      .record = 21,
      .in_document = Listed::if_changed,
      .in_result = Listed::if_changed,
+     .plans = false,
      .access = quoting(of_supports, refused_support)},
     {.setting = Setting::snap,
      .name = "snap",
@@ -388,6 +399,7 @@ constexpr SettingRow rows[] = {
      .in_document = Listed::if_changed,
      .in_result = Listed::if_changed,
      .is_length = true,
+     .plans = false,
      .access = of<&Settings::snap>()},
     {.setting = Setting::support_capacities,
      .name = "support_capacities",
@@ -400,6 +412,7 @@ constexpr SettingRow rows[] = {
      .record = 17,
      .in_document = Listed::if_changed,
      .in_result = Listed::if_changed,
+     .plans = false,
      .access = of<&Shown::support_capacities>()},
     {.setting = Setting::cargo,
      .name = "cargo",
@@ -491,6 +504,7 @@ constexpr SettingRow rows[] = {
                 "a further weight, such as a person: where it may stand"},
      .record = 27,
      .in_document = Listed::if_changed,
+     .plans = false,
      .access = of<&Shown::carrying, &Carrying::extra>()},
     {.setting = Setting::loads,
      .name = "loads",
@@ -592,6 +606,12 @@ std::optional<InputError> read_setting(Setting setting, std::string_view text, D
 std::string text_of(Setting setting, const Document& document) {
   const SettingRow& row = row_of(setting);
   return row.access.text(document, row.range);
+}
+
+bool alike(const Document& a, const Document& b, bool SettingRow::*column) {
+  return std::all_of(std::begin(rows), std::end(rows), [&](const SettingRow& row) {
+    return !(row.*column) || row.access.text(a, row.range) == row.access.text(b, row.range);
+  });
 }
 
 std::optional<std::uint64_t> read_failed(std::string_view text) {

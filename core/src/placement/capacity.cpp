@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "evenlift/selection.h"
+#include "evenlift/settings.h"
 #include "evenlift/swaps.h"
 #include "evenlift/tilt.h"
 #include "evenlift/tolerance.h"
@@ -190,13 +191,12 @@ std::vector<bool> overloads_after(const ShownPlacement& of,
 }
 
 bool same_plan(const Placement& a, const Placement& b) {
-  const Settings &s = a.settings, &t = b.settings;
-  return s.method == t.method && s.min_ratio == t.min_ratio && s.weight == t.weight &&
-         s.cargo == t.cargo && s.seed == t.seed && s.survive == t.survive &&
-         s.positions == t.positions && goal_of(s) == goal_of(t) && s.min_margin == t.min_margin &&
-         s.clear == t.clear && s.accuracy == t.accuracy && s.apart == t.apart &&
-         s.robot == t.robot && s.no_go == t.no_go && a.centre_of_mass == b.centre_of_mass &&
-         a.vertices() == b.vertices() && a.object.rings_of_holes() == b.object.rings_of_holes();
+  const auto settings_of = [](const Placement& of) {
+    return Document{{}, of.centre_of_mass, of.settings};
+  };
+  return a.vertices() == b.vertices() && a.centre_of_mass == b.centre_of_mass &&
+         a.object.rings_of_holes() == b.object.rings_of_holes() &&
+         alike(settings_of(a), settings_of(b), &SettingRow::plans);
 }
 
 std::uint32_t most_teams_tried(const Settings& settings) {
