@@ -293,6 +293,7 @@ export interface Capacity {
   /** Robots needed so that any one may fail: then C is at least `clear` inside, and the object stays upright and each robot within
    * the capacity under the given conditions. `robots_tried` is 0 if no number was tried. */
   if_one_fails: { robots_needed: number | null; greatest_load: number | null; robots_tried: number } | null;
+  use: number | null;
 }
 
 /** What `evenlift place --json` prints. */

@@ -115,6 +115,28 @@ TEST_CASE("a report that is completed is the same as one made at once", "[report
   CHECK(completed.greatest == report_of(of).greatest);
 }
 
+TEST_CASE("the use is the greatest load under the given conditions, as a part of its capacity",
+          "[report][words]") {
+  Document document;
+  document.vertices = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  document.settings.method = Method::given;
+  document.settings.supports = document.vertices;
+  const Placement placement = testing::placed(document);
+  Shown shown;
+  const auto use = [&]() -> std::optional<double> {
+    return check_conditions({placement, shown}, *read_conditions("use<=0.9"))[0].value;
+  };
+  CHECK_FALSE(use());
+  shown.capacity = 30;
+  CHECK(use().value() == Approx(25.0 / 30));
+  shown.support_capacities = {20, std::nullopt, std::nullopt, std::nullopt};
+  CHECK(use().value() == Approx(25.0 / 20));
+  shown.carrying = {.com_height = 1, .slope = 0.2};
+  CHECK(use().value() > 25.0 / 20);
+  shown.carrying.slope = 6;  // it tips
+  CHECK_FALSE(use());
+}
+
 TEST_CASE("without robots a report has plans, and nothing about robots", "[report]") {
   Document document = corpus::polygon("grand-piano");
   document.settings.min_ratio = 1;

@@ -293,6 +293,7 @@ class Capacity(TypedDict):
     robots_needed: Optional[int]
     com_radius: Optional[float]
     if_one_fails: Optional[FailurePlan]
+    use: Optional[float]
 
 
 class RobotSize(TypedDict):

@@ -23,6 +23,8 @@ namespace evenlift {
 //   coverage           the coverage, from 0 to 1
 //   max, min           the greatest and the least planned load
 //   spread             max - min, with C at its assumed place
+//   use                the greatest planned load as a part of its robot's capacity; none if no robot
+//                      has one
 //   max_after_failure  the greatest load by springs after any one failure, under the disturbance;
 //                      none if the object then falls or tips
 //   margin             the margin of form closure
@@ -35,7 +37,7 @@ namespace evenlift {
 //   worst              the greatest load of a robot that statics allows, under the disturbance
 //                      (Report::worst)
 //
-// The first five are true or false. `capacity`, `max` and `min` refer to the planned loads or,
+// The first five are true or false. `capacity`, `max`, `min` and `use` refer to the planned loads or,
 // under a disturbance, to the ends of their ranges (loads_when_disturbed()). If the object falls,
 // or can tip under the disturbance, conditions on these three quantities are not met.
 struct Condition {

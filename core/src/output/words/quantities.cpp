@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/tolerance.h"
@@ -69,6 +70,16 @@ Known worst_load(const Reported& of) {
   return *std::max_element(loads->begin(), loads->end());
 }
 
+// As planned, under the given conditions.
+Known greatest_use(const Reported& of) {
+  const auto& [loads, capacities] = std::tie(of.report.planned, of.report.capacities);
+  if (!is_carried(of)) return std::nullopt;
+  Known use;
+  for (std::size_t i = 0; i < capacities.size(); ++i)
+    if (capacities[i]) use = std::max(use.value_or(0), loads[i].greatest / *capacities[i]);
+  return use;
+}
+
 // --- Facts
 
 template <double LoadSummary::*member>
@@ -129,6 +140,11 @@ std::string tipping_slope_words(const Reported& of) {
   return degrees_in_words(tilt->degrees) + " (" + slope_in_words(tilt->slope, Toward::down) + ")";
 }
 
+std::string use_words(const Reported& of) {
+  const Known use = greatest_use(of);
+  return use ? significant(100 * *use, 3, Toward::up) + "\u00A0%" : std::string();
+}
+
 constexpr char may_be_off[] = "Robots may be off by";
 
 // clang-format off
@@ -163,6 +179,11 @@ const Quantity rows[] = {
     {.value = load<&LoadSummary::max_share>, .unit = Unit::share, .json = "loads.max_share",
      .label = "Greatest share in a team", .about = "50 % in an even team",
      .in_words = [](const Reported& of) { return in_pairs(of) && stands(of) ? percentage(of.placement.loads->max_share, 1) : std::string(); }},
+    {.value = greatest_use, .unit = Unit::share,
+     .condition = "use", .subject = "The greatest load as a part of the robot's capacity", .json = "capacity.use",
+     .label = "Greatest use", .column = "use",
+     .about = "Of all robots, the greatest load as a part of the capacity; as planned, under the given conditions",
+     .in_words = use_words},
     {.value = greatest_after_failure, .unit = Unit::weight,
      .condition = "max_after_failure", .subject = "The greatest load after any one failure", .needs_failures = true},
 
