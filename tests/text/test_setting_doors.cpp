@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "evenlift/output/quantities.h"
 #include "evenlift/settings.h"
 #include "kit/corpus.h"
 #include "link/records.h"
@@ -362,4 +363,29 @@ TEST_CASE("every record of a setting is described under its number, and none tha
   for (const std::string& number : found(reader, "(\\d+): \\("))
     if (!numbers.contains(number) && !is_of_no_setting(std::stoi(number)))
       FAIL_CHECK("docs/link_reader.py has a record " << number << " that no setting has");
+}
+
+TEST_CASE("docs and types name each quantity that results tell", "[doors][quantities]") {
+  const std::string cli = corpus::read_file(root() / "docs/cli.md"),
+                    header =
+                        corpus::read_file(root() / "core/include/evenlift/output/requirements.h"),
+                    npm = corpus::read_file(root() / "npm/evenlift.d.ts"),
+                    python = corpus::read_file(root() / "python/src/evenlift/types.py");
+  const auto lacks = [](const std::string& text, const std::string& words) {
+    return text.find(words) == std::string::npos;
+  };
+  for (const Quantity& quantity : quantities()) {
+    const std::string condition(quantity.condition), json(quantity.json);
+    if (!condition.empty() && lacks(cli, "`" + condition + "`"))
+      FAIL_CHECK("docs/cli.md has no row for the condition " << condition);
+    if (!condition.empty() && lacks(header, "//   " + condition + " "))
+      FAIL_CHECK("requirements.h does not explain the condition " << condition);
+    if (json.empty()) continue;
+    const std::string member = json.substr(json.find('.') + 1);
+    if (lacks(cli, json) && lacks(cli, "`" + member + "`") && lacks(cli, "\"" + member + "\""))
+      FAIL_CHECK("docs/cli.md has no row for " << json);
+    if (lacks(npm, " " + member + ":")) FAIL_CHECK("npm/evenlift.d.ts has no member " << json);
+    if (lacks(python, " " + member + ":"))
+      FAIL_CHECK("python/src/evenlift/types.py has no member " << json);
+  }
 }

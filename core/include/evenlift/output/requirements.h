@@ -21,7 +21,8 @@ namespace evenlift {
 //   upright            C is clearly in the lifting base (Report::upright)
 //   capacity           no robot carries more than its capacity
 //   coverage           the coverage, from 0 to 1
-//   max, min           the greatest and the least planned load
+//   max                the greatest planned load
+//   min                the least planned load
 //   spread             max - min, with C at its assumed place
 //   use                the greatest planned load as a part of its robot's capacity; none if no robot
 //                      has one
