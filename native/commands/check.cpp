@@ -8,7 +8,6 @@
 #include "evenlift/placement.h"
 #include "evenlift/task.h"
 #include "input/handed_in.h"
-#include "input/lesson_texts.h"
 #include "input/options.h"
 #include "print/progress.h"
 #include "print/table.h"

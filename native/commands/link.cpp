@@ -1,14 +1,55 @@
-#include "evenlift/link.h"
+#include <algorithm>
+
 #include "commands/commands.h"
 #include "evenlift/centre_of_mass.h"
+#include "evenlift/formats.h"
+#include "evenlift/generate.h"
 #include "evenlift/lesson_link.h"
+#include "evenlift/link.h"
 #include "evenlift/output/json.h"
+#include "evenlift/output/trace_json.h"
 #include "evenlift/placement.h"
 #include "evenlift/polygon.h"
-#include "input/lesson_texts.h"
+#include "evenlift/trace.h"
+#include "input/handed_in.h"
 #include "input/options.h"
 
 namespace evenlift::native {
+namespace {
+
+std::string family_names() {
+  std::string names;
+  for (const Family family : all_families)
+    names += (names.empty() ? "" : ", ") + std::string(name(family));
+  return names;
+}
+
+}  // namespace
+
+void cmd_generate(const Arguments& arguments) {
+  CommandLine line("evenlift generate",
+                   "Writes a polygon in the thesis's format. The same seed gives the same polygon.",
+                   "Example:\n  evenlift generate random --n 50 --seed 7 | evenlift place -\n");
+  std::string family_text;
+  std::optional<std::string> n_text, seed_text;
+  line.positional(family_text, "FAMILY", family_names());
+  line.value(n_text, "--n", "N", "number of vertices (default 12)");
+  line.value(seed_text, "--seed", "S", "selects a polygon of the family (default 1)");
+  if (!line.parse(arguments)) return;
+
+  const std::optional<Family> family = family_from_name(family_text);
+  if (!family) throw bad_value("FAMILY", "expected one of " + family_names(), family_text);
+  const std::uint64_t n = n_text ? whole_option("--n", *n_text) : 12;
+  Document document;  // its settings contain the seed
+  if (seed_text) setting_option(Setting::seed, *seed_text, document);
+  // size_t has 32 bits in WebAssembly; a larger number is too large anyway.
+  const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(n, 0xFFFFFFFF));
+  Result<Points> points = generate(*family, size, document.settings.seed);
+  if (!points) throw Failure{bad_input_status, "--n", points.error().message};
+  document.vertices = *std::move(points);
+  write_output(write_thesis(document));
+}
+
 namespace {
 
 // Every link must open with a result, so the document must be one that can be placed.
@@ -92,6 +133,32 @@ void cmd_link(const Arguments& arguments) {
   if (direction == "decode") return decode(rest);
   if (direction == "--help" || direction == "-h") return write_output(help);
   throw bad_value("link", "expected encode, lesson or decode", direction);
+}
+
+void cmd_trace(const Arguments& arguments) {
+  CommandLine line(
+      "evenlift trace", "Prints the algorithm's steps in order, with this polygon's numbers.",
+      "FILE is a path, - for standard input, or a share link, as for `evenlift place`.\n\n"
+      "Examples:\n"
+      "  evenlift trace table.txt\n"
+      "  evenlift trace table.txt --metric circle --teams 2 --json\n"
+      "  evenlift trace table.txt --metric balanced --robots 6\n");
+  InputOptions options;
+  bool as_json = false;
+  options.declare(line);
+  line.flag(as_json, "--json", "one JSON array of steps instead of a list");
+  if (!line.parse(arguments)) return;
+
+  const Input input = options.read();
+  // The trace does the search for balanced robots itself.
+  const Result<Placement> placement = place(input.document, Effort::start);
+  if (!placement) throw options.settings.failure(input.source, placement.error());
+  const Result<Trace> trace =
+      make_trace(*placement, HistoryLength::whole, input.document.shown.units);
+  if (!trace) throw options.settings.failure(input.source, trace.error());
+  if (const auto error = check_printed_size(*trace))
+    throw options.settings.failure(input.source, *error);
+  write_output(as_json ? trace_json(*trace) : trace_list(*trace));
 }
 
 }  // namespace evenlift::native

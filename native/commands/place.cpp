@@ -13,7 +13,6 @@
 #include "evenlift/supports.h"
 #include "evenlift/tolerance.h"
 #include "print/progress.h"
-#include "print/robustness_text.h"
 #include "print/table.h"
 
 namespace evenlift::native {

@@ -6,8 +6,7 @@
 
 #include "evenlift/output/requirements.h"
 #include "input/options.h"
-#include "input/pose_options.h"
-#include "print/robustness_text.h"
+#include "print/table.h"
 
 namespace evenlift::native {
 

@@ -1,4 +1,3 @@
-// Links that learners hand in.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +6,25 @@
 #include <string_view>
 #include <vector>
 
+#include "evenlift/document.h"
+#include "evenlift/lesson.h"
+
 namespace evenlift::native {
+
+// A lesson, and the sample polygon that it names, if any.
+struct LessonText {
+  std::string source;  // the name of the lesson's text in errors
+  std::string text;
+  Lesson lesson;
+  Document sample;
+};
+
+// Reads a lesson. `given` is a file, "-" for standard input, a link to a lesson, an address that
+// ends in such a link, or the name of a ready-made lesson. Throws Failure if the lesson cannot be
+// read. The Failure names `option` if there is no such lesson.
+LessonText read_lesson(const std::string& option, const std::string& given);
+
+// --- Links that learners hand in.
 
 struct HandedIn {
   std::string name;                     // the text before the link on the same line; may be empty

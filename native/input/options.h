@@ -6,6 +6,7 @@
 
 #include "evenlift/document.h"
 #include "evenlift/load_models.h"
+#include "evenlift/output/poses.h"
 #include "evenlift/result.h"
 #include "evenlift/settings.h"
 #include "input/command_line.h"
@@ -63,6 +64,22 @@ struct InputOptions {
 
  private:
   void apply(Document& document) const;
+};
+
+struct PosesAsked {
+  std::string file;
+  PoseFormat format;
+  PoseOptions options;
+};
+
+struct PoseFileOptions {
+  std::optional<std::string> file, frame, origin;
+
+  void declare(CommandLine& line);
+
+  // The typed values; nullopt if no file is requested. Throws Failure with the option's name if a
+  // value is invalid or does not apply.
+  std::optional<PosesAsked> asked() const;
 };
 
 }  // namespace evenlift::native

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <string>
 
-#include "balanced/coarse_cover.h"
 #include "balanced/cover.h"
 #include "evenlift/hull.h"
 #include "evenlift/predicates.h"

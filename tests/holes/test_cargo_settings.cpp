@@ -1,7 +1,7 @@
 // Cargo as text: read, refused, and written as it is read.
 #include <string>
 
-#include "document/cargo_settings.h"
+#include "document/setting_values.h"
 #include "evenlift/settings.h"
 #include "kit/catch.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "balanced/coarse_cover.h"
+#include "balanced/cover.h"
 #include "comparisons/against_oracle.h"
 #include "evenlift/balanced.h"
 #include "evenlift/generate.h"

@@ -7,10 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "balanced/coarse_cover.h"
 #include "balanced/cover.h"
 #include "balanced/outline.h"
-#include "balanced/small_hull.h"
 #include "balanced/triples.h"
 #include "candidates/even_chords.h"
 #include "evenlift/balanced.h"

@@ -1,14 +1,225 @@
-#include "candidates/pair_candidate.h"
-
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "candidates/common_range.h"
+#include "candidates/pair_candidate.h"
+#include "candidates/pair_range.h"
 #include "chords/opposite_vertices.h"
+#include "chords/section.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 #include "exact/double_double.h"
 
 namespace evenlift {
+namespace {
+
+// The ends of an edge, counter-clockwise as C sees them.
+struct SeenEnds {
+  std::uint32_t first, last;
+};
+
+// The open range of directions in which C sees edge `a` ahead and edge `b` behind, if any. C sees
+// `a` and the mirror image of `b` at less than 180 degrees, so the signs of the turns between their
+// ends decide everything.
+std::optional<EdgePair> common_range(const Polygon& polygon, const Vec2& centre, std::uint32_t a,
+                                     SeenEnds of_a, std::uint32_t b, SeenEnds of_b) {
+  const Vec2 &p = polygon.vertex(of_a.first), &q = polygon.vertex(of_a.last);
+  const Vec2 &r = polygon.vertex(of_b.first), &s = polygon.vertex(of_b.last);
+  // Positive if the first point comes before the second; r and s are mirrored in C.
+  const double p_r = -orient(centre, p, r), p_s = -orient(centre, p, s),
+               r_q = -orient(centre, r, q), q_s = -orient(centre, q, s);
+  const bool begins_at_p = p_r <= 0 && p_s > 0, begins_at_r = p_r >= 0 && r_q > 0;
+  if (!begins_at_p && !begins_at_r) return std::nullopt;
+  EdgePair pair;
+  pair.a = a;
+  pair.b = b;
+  if (begins_at_p) pair.begin_a = of_a.first;
+  if (begins_at_r) pair.begin_b = of_b.first;
+  if (q_s >= 0) pair.end_a = of_a.last;
+  if (q_s <= 0) pair.end_b = of_b.last;
+  return pair;
+}
+
+// The edge as C sees it, unless it is radial.
+std::optional<SeenEnds> ends_of(const Polygon& polygon, const Vec2& centre, std::uint32_t edge,
+                                double near) {
+  const Vec2 &p = polygon.edge_start(edge), &q = polygon.edge_end(edge);
+  const double side = orient(centre, p, q);
+  if (std::fabs(side) <= near * length(q - p)) return std::nullopt;
+  const auto next = static_cast<std::uint32_t>(polygon.next(edge));
+  return side > 0 ? SeenEnds{edge, next} : SeenEnds{next, edge};
+}
+
+}  // namespace
+
+std::optional<EdgePair> pair_of_edges(const Polygon& polygon, const Vec2& centre, std::uint32_t a,
+                                      std::uint32_t b, double near) {
+  const auto of_a = ends_of(polygon, centre, a, near), of_b = ends_of(polygon, centre, b, near);
+  if (!of_a || !of_b) return std::nullopt;
+  return common_range(polygon, centre, a, *of_a, b, *of_b);
+}
+
+namespace {
+
+// A corner of an edge of the range, and the direction away from it.
+struct EdgeCorner {
+  std::uint32_t edge;
+  bool on_a;
+  Vec2 at, away;
+};
+
+Vec2 end_of(const Vec2& centre, const PairRange& range, double x, bool on_a) {
+  const Vec2 offset = (1 - x) * range.a0 + x * range.a1;
+  return on_a ? Vec2(centre + offset) : Vec2(centre - offset / range.q(x));
+}
+
+class Part {
+ public:
+  Part(const FromCorners& from, const Vec2& centre, const PairRange& range)
+      : from_(from), centre_(centre), range_(range), part_(range) {}
+
+  std::optional<PairRange> find() {
+    const Polygon& polygon = from_.polygon;
+    for (const bool on_a : {true, false}) {
+      const std::uint32_t edge = on_a ? range_.a : range_.b;
+      const Vec2 along = polygon.edge_end(edge) - polygon.edge_start(edge);
+      const Vec2 unit = along / length(along);
+      if (const auto corner = from_.corners.before(edge))
+        keep_off({edge, on_a, polygon.vertex(*corner), unit});
+      if (const auto corner = from_.corners.after(edge))
+        keep_off({edge, on_a, polygon.vertex(*corner), -unit});
+    }
+    if (part_.first > part_.last || !clear_) return std::nullopt;
+    return evenlift::is_one_place(part_, near_distance(polygon.diameter())) ? std::nullopt
+                                                                            : std::optional(part_);
+  }
+
+ private:
+  // Narrows the part to places far enough from a corner.
+  void keep_off(const EdgeCorner& corner) {
+    const Vec2 at = lifting_point(corner.at, corner.edge);
+    const auto is_clear = [&](double x) {
+      const double distance = dot(end_of(centre_, range_, x, corner.on_a) - at, corner.away);
+      return distance >= from_.clear - near_distance(from_.polygon.diameter());
+    };
+    const bool first = is_clear(range_.first), last = is_clear(range_.last);
+    if (!first && !last) clear_ = false;
+    if (first == last) return;
+    const Vec2 nearest = at + from_.clear * corner.away;
+    const Vec2 direction = corner.on_a ? Vec2(nearest - centre_) : Vec2(centre_ - nearest);
+    const double x = place_towards(range_, direction);
+    if (last)
+      part_.first = std::max(part_.first, x);
+    else
+      part_.last = std::min(part_.last, x);
+  }
+
+  Vec2 lifting_point(const Vec2& contact, std::uint32_t edge) const {
+    return from_.stands ? from_.stands->lifting_point({contact, edge}).position : contact;
+  }
+
+  const FromCorners& from_;
+  Vec2 centre_;
+  const PairRange& range_;
+  PairRange part_;
+  bool clear_ = true;
+};
+
+}  // namespace
+
+std::optional<PairRange> clear_part(const FromCorners& from, const Vec2& centre,
+                                    const PairRange& range) {
+  return from.clear > 0 ? Part(from, centre, range).find() : std::nullopt;
+}
+
+double clear_place_at(const PairRange& range, const std::optional<PairRange>& clear, double s) {
+  const double x = place_at(range, s);
+  return clear ? std::clamp(x, clear->first, clear->last) : x;
+}
+
+namespace {
+
+Vec2 offset_at(const PairRange& range, double x) { return (1 - x) * range.a0 + x * range.a1; }
+
+// The place where q, which must differ between the ends, has this value.
+double place_of(const PairRange& range, double q) {
+  return std::clamp((q - range.q0) / (range.q1 - range.q0), 0.0, 1.0);
+}
+
+// Narrows the range to least <= q <= greatest. Returns whether any place remains.
+bool narrow(PairRange& range, double least, double greatest) {
+  const double low = std::min(range.q0, range.q1), high = std::max(range.q0, range.q1);
+  if (high < least || low > greatest) return false;
+  const double at_low = low < least ? place_of(range, least) : range.q0 < range.q1 ? 0 : 1;
+  const double at_high = high > greatest ? place_of(range, greatest) : range.q0 < range.q1 ? 1 : 0;
+  range.first = std::min(at_low, at_high);
+  range.last = std::max(at_low, at_high);
+  return true;
+}
+
+}  // namespace
+
+std::optional<PairRange> find_range(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
+                                    const SeenEdge& b, const EdgePair& pair, double min_ratio) {
+  const SectionEnd begin = section_end(polygon, centre, a, b, pair.begin_a, pair.begin_b);
+  const SectionEnd end = section_end(polygon, centre, a, b, pair.end_a, pair.end_b);
+  PairRange range;
+  range.a = pair.a;
+  range.b = pair.b;
+  range.a0 = offset_on_a(polygon, centre, begin);
+  range.a1 = offset_on_a(polygon, centre, end);
+  range.q0 = 1.0 / begin.g;
+  range.q1 = 1.0 / end.g;
+  if (are_parallel(begin.g, end.g)) {
+    if (!reaches(chord_at(centre, range, 0.5), min_ratio)) return std::nullopt;
+    return range;
+  }
+  const double greatest = min_ratio > 0 ? 1.0 / min_ratio : std::numeric_limits<double>::infinity();
+  if (!narrow(range, min_ratio, greatest)) return std::nullopt;
+  return range;
+}
+
+bool is_one_place(const PairRange& range, double near) {
+  const auto way = [&](auto offset) { return length(offset(range.last) - offset(range.first)); };
+  return way([&](double x) { return offset_at(range, x); }) <= near &&
+         way([&](double x) { return Vec2(offset_at(range, x) / range.q(x)); }) <= near;
+}
+
+Chord chord_at(const Vec2& centre, const PairRange& range, double x) {
+  const Vec2 offset = offset_at(range, x);
+  const double q = range.q(x), arm = length(offset);
+  Chord chord =
+      order_ends({centre + offset, range.a}, arm, {centre - offset / q, range.b}, arm / q, offset);
+  chord.ratio = q < 1.0 ? q : 1.0 / q;
+  return chord;
+}
+
+double place_at(const PairRange& range, double s) {
+  const auto weight = [&](double x) { return 1 + 1 / range.q(x); };  // |r_a r_b| / |C r_a|
+  const double before = (1 - s) * weight(range.first), behind = s * weight(range.last);
+  return range.first + (range.last - range.first) * (behind / (before + behind));
+}
+
+double place_towards(const PairRange& range, const Vec2& direction) {
+  const double first = cross(range.a0, direction), last = cross(range.a1, direction);
+  // The line through C along `direction` meets the edge's line at x, ahead of C or behind it.
+  const double x = first == last ? range.first : first / (first - last);
+  const bool ahead = dot(Vec2((1 - x) * range.a0 + x * range.a1), direction) > 0;
+  if (ahead) return std::clamp(x, range.first, range.last);
+  const auto closeness = [&](double place) {
+    const Vec2 offset = offset_at(range, place);
+    return dot(offset, direction) / length(offset);
+  };
+  return closeness(range.first) > closeness(range.last) ? range.first : range.last;
+}
+
+Candidate range_candidate(const Vec2& centre, const PairRange& range, double x) {
+  const Chord chord = chord_at(centre, range, x);
+  const Vec2 offset = offset_at(range, x);
+  return {chord, CandidateKind::range, false, 0, rightward(offset), chord.arm1 + chord.arm2};
+}
+
 namespace {
 
 // An even vertex-chord counts as bisecting: rounding decides whether its arms are equal to the last

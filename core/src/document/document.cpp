@@ -1,4 +1,13 @@
+#include <algorithm>
+#include <vector>
+
+#include "document/setting_values.h"
+#include "evenlift/closest_name.h"
 #include "evenlift/document.h"
+#include "evenlift/numbers.h"
+#include "evenlift/settings.h"
+#include "evenlift/similar_setting.h"
+#include "evenlift/wording.h"
 
 namespace evenlift {
 
@@ -107,6 +116,100 @@ Goal goal_of(const Settings& settings) {
 
 bool swaps_teams(const Settings& settings) {
   return selects_candidates(settings.method) && goal_of(settings) == Goal::hold;
+}
+
+namespace {
+
+bool is_edge_point(const EdgePoint& point) {
+  return point.edge < max_vertices && point.part >= 0 && point.part <= 1;
+}
+
+// Reads a number from 1 to `most` as an index from 0.
+std::optional<std::uint32_t> read_index(std::string_view text, std::uint64_t most) {
+  const std::optional<std::uint64_t> number = read_whole(text);
+  if (!number || *number < 1 || *number > most) return std::nullopt;
+  return static_cast<std::uint32_t>(*number - 1);
+}
+
+std::optional<EdgePoint> read_edge_point(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) return std::nullopt;
+  const auto edge = read_index(text.substr(0, colon), max_vertices);
+  const auto part = read_number(text.substr(colon + 1));
+  if (!edge || !part) return std::nullopt;
+  const EdgePoint point{*edge, *part + 0.0};  // -0 would make a different document
+  return is_edge_point(point) ? std::optional(point) : std::nullopt;
+}
+
+// `at` is the position of the '@'.
+std::optional<MovedTeam> read_moved_team(std::string_view text, std::size_t at) {
+  const std::size_t slash = text.find('/', at);
+  if (slash == std::string_view::npos) return std::nullopt;
+  const auto team = read_index(text.substr(0, at), max_teams);
+  const auto end = read_edge_point(text.substr(at + 1, slash - at - 1));
+  const auto opposite = read_index(text.substr(slash + 1), max_vertices);
+  if (!team || !end || !opposite) return std::nullopt;
+  return MovedTeam{*team, *end, *opposite};
+}
+
+bool read_one(std::string_view text, Moved& moved) {
+  const std::size_t at = text.find('@');
+  if (at == std::string_view::npos) {
+    const auto point = read_edge_point(text);
+    if (point) moved.robots.push_back(*point);
+    return point && moved.robots.size() <= most_robots;
+  }
+  const auto team = read_moved_team(text, at);
+  if (team) moved.teams.push_back(*team);
+  return team && moved.teams.size() <= most_moved_teams;
+}
+
+std::string text_of(const EdgePoint& point) {
+  return std::to_string(point.edge + 1) + ':' + shortest(point.part);
+}
+
+}  // namespace
+
+std::string moved_text(const Moved& moved) {
+  std::string text;
+  const auto add = [&](const std::string& word) { text += (text.empty() ? "" : ",") + word; };
+  for (const EdgePoint& robot : moved.robots) add(text_of(robot));
+  for (const MovedTeam& team : moved.teams)
+    add(std::to_string(team.team + 1) + '@' + text_of(team.end) + '/' +
+        std::to_string(team.opposite + 1));
+  return text;
+}
+
+std::optional<Moved> read_moved(std::string_view text) {
+  Moved moved;
+  const bool good =
+      for_each_word(text, [&](std::string_view word) { return read_one(word, moved); });
+  return good && is_moved(moved) ? std::optional(std::move(moved)) : std::nullopt;
+}
+
+bool is_moved(const Moved& moved) {
+  if (!moved.robots.empty() && !moved.teams.empty()) return false;
+  if (moved.robots.size() > most_robots || moved.teams.size() > most_moved_teams) return false;
+  if (!std::all_of(moved.robots.begin(), moved.robots.end(), is_edge_point)) return false;
+  for (std::size_t i = 0; i < moved.teams.size(); ++i) {
+    const MovedTeam& team = moved.teams[i];
+    if (!is_edge_point(team.end) || team.opposite >= max_vertices || team.team >= max_teams)
+      return false;
+    if (i > 0 && !(moved.teams[i - 1].team < team.team)) return false;
+  }
+  return true;
+}
+
+std::string_view similar_setting(std::string_view typed) {
+  std::vector<std::string_view> names;
+  for (const SettingRow& row : all_settings()) names.push_back(row.name);
+  return closest_name(typed, names);
+}
+
+std::string unknown_setting(std::string_view typed) {
+  const std::string_view similar = similar_setting(typed);
+  return similar.empty() ? say("unknown setting")
+                         : say("unknown setting; did you mean {setting}?", {similar});
 }
 
 }  // namespace evenlift

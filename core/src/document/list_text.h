@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "document/stand_settings.h"
+#include "document/setting_values.h"
 
 namespace evenlift {
 

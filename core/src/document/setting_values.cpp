@@ -1,13 +1,16 @@
 // Values with their own syntax.
-#include "document/setting_values.h"
-
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
-#include "document/cargo_settings.h"
-#include "document/stand_settings.h"
-#include "document/support_settings.h"
+#include "document/list_text.h"
+#include "document/setting_values.h"
+#include "evenlift/angles.h"
+#include "evenlift/numbers.h"
+#include "evenlift/settings.h"
 #include "numbers/text_cursor.h"
+#include "numbers/utf8.h"
 
 namespace evenlift {
 namespace {
@@ -126,5 +129,343 @@ std::string text_of(const CargoList& cargo, const SettingRange&) { return cargo_
 bool is_within(const CargoList& cargo, const SettingRange&) { return is_cargo(cargo); }
 
 }  // namespace setting_value
+
+namespace {
+
+struct Notation {
+  std::string_view ending;
+  double (*ratio)(double number);
+};
+constexpr Notation notations[] = {
+    {"%", [](double percent) { return percent / 100; }},
+    {"deg",
+     [](double degrees) { return degrees >= 0 && degrees < 90 ? slope_ratio(degrees) : -1; }},
+    {"", [](double ratio) { return ratio; }},
+};
+
+}  // namespace
+
+bool read_slope(std::string_view text, const SettingRange& range, double& slope) {
+  for (const auto& [ending, ratio] : notations) {
+    if (!text.ends_with(ending)) continue;
+    const auto number = read_number(text.substr(0, text.size() - ending.size()));
+    if (!number || !setting_value::is_within(ratio(*number), range)) return false;
+    slope = ratio(*number);
+    return true;
+  }
+  return false;
+}
+
+namespace {
+
+struct Given {
+  Vec2 at;
+  std::optional<double> capacity;
+};
+
+std::optional<Given> read_support(std::string_view word) {
+  const std::size_t comma = word.find(','), sign = word.find('@');
+  if (comma == std::string_view::npos) return std::nullopt;
+  const std::size_t end = std::min(sign, word.size());
+  if (comma > end) return std::nullopt;
+  const auto x = read_number(word.substr(0, comma)),
+             y = read_number(word.substr(comma + 1, end - comma - 1));
+  if (!x || !y) return std::nullopt;
+  Given given{Vec2(*x, *y), std::nullopt};
+  if (sign == std::string_view::npos) return given;
+  given.capacity = read_number(word.substr(sign + 1));
+  if (!given.capacity || !is_in_range(Setting::capacity, *given.capacity)) return std::nullopt;
+  return given;
+}
+
+}  // namespace
+
+bool read_supports(std::string_view text, Document& document) {
+  Points supports;
+  Capacities capacities;
+  const bool good = text == "none" || for_each_item(text, [&](std::string_view word) {
+                      const std::optional<Given> given = read_support(word);
+                      if (!given || supports.size() == most_supports) return false;
+                      supports.push_back(given->at);
+                      capacities.push_back(given->capacity);
+                      return true;
+                    });
+  if (!good || (supports.empty() && text != "none")) return false;
+  if (!are_capacities(capacities)) capacities.clear();  // none is given
+  document.settings.supports = std::move(supports);
+  document.shown.support_capacities = std::move(capacities);
+  if (!document.settings.supports.empty()) document.settings.method = Method::given;
+  return true;
+}
+
+std::string_view refused_support(std::string_view text) { return refused_item(text, read_support); }
+
+std::string supports_text(const Points& supports) {
+  std::string text;
+  for (const Vec2& at : supports)
+    text += (text.empty() ? "" : " ") + shortest(at.x) + ',' + shortest(at.y);
+  return text.empty() ? "none" : text;
+}
+
+bool read_capacities(std::string_view text, Capacities& capacities) {
+  Capacities read;
+  const bool good = text.empty() || for_each_word(text, [&](std::string_view word) {
+                      const std::optional<double> capacity = read_number(word);
+                      read.push_back(capacity);
+                      return capacity || word == "none";
+                    });
+  if (!good || !(read.empty() || are_capacities(read))) return false;
+  capacities = std::move(read);
+  return true;
+}
+
+std::string capacities_text(const Capacities& capacities) {
+  std::string text;
+  for (const std::optional<double>& capacity : capacities)
+    text += (text.empty() ? "" : ",") + (capacity ? shortest(*capacity) : std::string("none"));
+  return text;
+}
+
+bool are_capacities(const Capacities& capacities) {
+  if (capacities.empty()) return true;
+  if (capacities.size() > most_supports) return false;
+  bool any = false;
+  for (const std::optional<double>& capacity : capacities) {
+    if (!capacity) continue;
+    if (!is_in_range(Setting::capacity, *capacity)) return false;
+    any = true;
+  }
+  return any;
+}
+
+namespace {
+
+struct NamedSize {
+  std::string_view name;
+  double RobotSize::*value;
+};
+constexpr NamedSize sizes[] = {{"r", &RobotSize::radius},
+                               {"reach", &RobotSize::reach},
+                               {"depth", &RobotSize::depth},
+                               {"width", &RobotSize::width},
+                               {"gap", &RobotSize::gap}};
+
+const NamedSize* size_of_name(std::string_view name) {
+  for (const NamedSize& size : sizes)
+    if (size.name == name) return &size;
+  return nullptr;
+}
+
+// The hyphen between two numbers: neither a sign nor part of an exponent.
+std::size_t find_hyphen(std::string_view text) {
+  for (std::size_t i = 1; i < text.size(); ++i)
+    if (text[i] == '-' && text[i - 1] != 'e' && text[i - 1] != 'E') return i;
+  return std::string_view::npos;
+}
+
+bool is_part(const EdgePart& part) { return part.from >= 0 && part.from < part.to && part.to <= 1; }
+
+std::optional<EdgePart> read_part(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  const std::optional<std::uint64_t> edge = read_whole(text.substr(0, colon));
+  if (!edge || *edge < 1 || *edge > max_vertices) return std::nullopt;
+  EdgePart part;
+  part.edge = static_cast<std::uint32_t>(*edge - 1);
+  if (colon == std::string_view::npos) return part;
+  text.remove_prefix(colon + 1);
+  const std::size_t hyphen = find_hyphen(text);
+  if (hyphen == std::string_view::npos) return std::nullopt;
+  const std::optional<double> from = read_number(text.substr(0, hyphen)),
+                              to = read_number(text.substr(hyphen + 1));
+  if (!from || !to) return std::nullopt;
+  part.from = *from + 0.0;  // -0 would make a different document
+  part.to = *to;
+  return is_part(part) ? std::optional(part) : std::nullopt;
+}
+
+}  // namespace
+
+bool read_size(std::string_view text, double& size) {
+  const std::optional<double> value = read_number(text);
+  if (!value || !is_in_range(Setting::apart, *value)) return false;
+  size = *value + 0.0;  // -0 would make a different document
+  return true;
+}
+
+bool read_robot(std::string_view text, RobotSize& robot) {
+  RobotSize read;
+  unsigned named = 0;
+  const bool good = text == "none" || for_each_word(text, [&](std::string_view word) {
+                      const std::size_t equals = word.find('=');
+                      if (equals == std::string_view::npos) return false;
+                      const NamedSize* size = size_of_name(word.substr(0, equals));
+                      if (!size || !read_size(word.substr(equals + 1), read.*(size->value)))
+                        return false;
+                      const unsigned bit = 1u << (size - sizes);
+                      if (named & bit) return false;
+                      named |= bit;
+                      return true;
+                    });
+  if (good) robot = read;
+  return good;
+}
+
+bool read_no_go(std::string_view text, std::vector<EdgePart>& no_go) {
+  std::vector<EdgePart> read;
+  const bool good = text == "none" || for_each_word(text, [&](std::string_view word) {
+                      const std::optional<EdgePart> part = read_part(word);
+                      if (part) read.push_back(*part);
+                      return part && read.size() <= most_no_go;
+                    });
+  if (good) no_go = std::move(read);
+  return good;
+}
+
+bool is_quotable(std::string_view part) {
+  return part.size() <= 40 &&
+         std::all_of(part.begin(), part.end(), [](char c) { return c >= ' ' && c <= '~'; });
+}
+
+std::string_view refused_part(std::string_view text) {
+  std::string_view refused;
+  for_each_word(text, [&](std::string_view word) {
+    if (read_part(word)) return true;
+    refused = word;
+    return false;
+  });
+  return is_quotable(refused) ? refused : std::string_view();
+}
+
+bool is_robot_size(const RobotSize& robot) {
+  for (const NamedSize& size : sizes)
+    if (!is_in_range(Setting::apart, robot.*(size.value))) return false;
+  return true;
+}
+
+bool is_no_go(const std::vector<EdgePart>& no_go) {
+  if (no_go.size() > most_no_go) return false;
+  for (const EdgePart& part : no_go)
+    if (!is_part(part)) return false;
+  return true;
+}
+
+std::string robot_text(const RobotSize& robot) {
+  std::string text;
+  for (const NamedSize& size : sizes) {
+    const double value = robot.*(size.value);
+    if (value == 0) continue;
+    text += (text.empty() ? "" : ",") + std::string(size.name) + '=' + shortest(value);
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string no_go_text(const std::vector<EdgePart>& no_go) {
+  std::string text;
+  for (const EdgePart& part : no_go) {
+    text += (text.empty() ? "" : ",") + std::to_string(part.edge + 1);
+    if (part.from != 0 || part.to != 1) text += ':' + shortest(part.from) + '-' + shortest(part.to);
+  }
+  return text.empty() ? "none" : text;
+}
+
+namespace {
+
+// A name as it is, or between quotes with each of its quotes doubled.
+std::optional<std::string> read_name(std::string_view text) {
+  if (text.empty()) return std::nullopt;
+  if (text.find('"') == std::string_view::npos) return std::string(text);
+  if (text.size() < 2 || text.front() != '"' || text.back() != '"') return std::nullopt;
+  std::string name;
+  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+    if (text[i] == '"' && (++i + 1 == text.size() || text[i] != '"')) return std::nullopt;
+    name += text[i];
+  }
+  return name;
+}
+
+std::string name_text(const std::string& name) {
+  if (name.find_first_of(" \"") == std::string::npos) return name;
+  std::string text = "\"";
+  for (const char c : name) text += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return text + '"';
+}
+
+// Of ASCII, or U+0080 to U+009F.
+bool is_control(std::string_view character) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+  if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7f;
+  return byte(0) == 0xc2 && byte(1) < 0xa0;
+}
+
+bool is_item(const Cargo& item) {
+  return is_finite(item.at) && max_norm(item.at) <= max_coordinate &&
+         !fault_of_cargo_weight(item.weight) && !fault_of_cargo_name(item.name);
+}
+
+std::optional<Cargo> read_item(std::string_view text) {
+  const std::size_t comma = text.find(','), colon = std::min(text.find(':'), text.size());
+  if (comma > colon || colon == text.size()) return std::nullopt;
+  const std::size_t end = std::min(text.find(':', colon + 1), text.size());
+  const auto x = read_number(text.substr(0, comma)),
+             y = read_number(text.substr(comma + 1, colon - comma - 1)),
+             weight = read_number(text.substr(colon + 1, end - colon - 1));
+  const std::optional<std::string> name =
+      end == text.size() ? std::string() : read_name(text.substr(end + 1));
+  if (!x || !y || !weight || !name) return std::nullopt;
+  Cargo item{Vec2(*x, *y), *weight, *name};
+  return is_item(item) ? std::optional(std::move(item)) : std::nullopt;
+}
+
+}  // namespace
+
+const char* fault_of_cargo_weight(double weight) {
+  static_assert(min_weight == 1e-100 && max_weight == 1e100, "the message names the numbers");
+  return weight >= min_weight && weight <= max_weight
+             ? nullptr
+             : "the weight of cargo must be a number greater than 0, from 1e-100 to 1e100";
+}
+
+const char* fault_of_cargo_name(std::string_view name) {
+  static_assert(max_name_characters == 60, "the message names the number");
+  for (std::size_t characters = 0; !name.empty(); ++characters) {
+    const std::size_t length = utf8_length(name);
+    if (length == 0) return "the name of cargo must be valid UTF-8";
+    if (is_control(name.substr(0, length)))
+      return "the name of cargo must have no control characters";
+    if (characters == max_name_characters)
+      return "the name of cargo must have at most 60 characters";
+    name.remove_prefix(length);
+  }
+  return nullptr;
+}
+
+bool read_cargo(std::string_view text, std::vector<Cargo>& cargo) {
+  std::vector<Cargo> read;
+  const bool good = text == "none" || for_each_item(text, [&](std::string_view word) {
+                      std::optional<Cargo> item = read_item(word);
+                      if (!item || read.size() == max_cargo) return false;
+                      read.push_back(*std::move(item));
+                      return true;
+                    });
+  if (!good || (read.empty() && text != "none")) return false;
+  cargo = std::move(read);
+  return true;
+}
+
+std::string_view refused_cargo(std::string_view text) { return refused_item(text, read_item); }
+
+std::string cargo_text(const std::vector<Cargo>& cargo) {
+  std::string text;
+  for (const Cargo& item : cargo) {
+    text += (text.empty() ? "" : " ") + shortest(item.at.x) + ',' + shortest(item.at.y) + ':' +
+            shortest(item.weight);
+    if (!item.name.empty()) text += ':' + name_text(item.name);
+  }
+  return text.empty() ? "none" : text;
+}
+
+bool is_cargo(const std::vector<Cargo>& cargo) {
+  return cargo.size() <= max_cargo && std::all_of(cargo.begin(), cargo.end(), is_item);
+}
 
 }  // namespace evenlift

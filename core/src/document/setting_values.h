@@ -8,7 +8,9 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
+#include "evenlift/document.h"
 #include "evenlift/numbers.h"
 #include "evenlift/settings.h"
 #include "evenlift/wording.h"
@@ -167,3 +169,86 @@ std::string kind_in_words(const SettingRange& range) {
 }
 
 }  // namespace evenlift::setting_value
+
+namespace evenlift {
+
+// --- Reads the slope of the ground as users type it.
+
+// Reads a ratio such as 0.08, a percentage such as 8%, or an angle such as 4.6deg. Returns whether
+// the text is valid and its value in range. If so, stores the value as a ratio.
+bool read_slope(std::string_view text, const SettingRange& range, double& slope);
+
+// --- Reads the places and capacities of supports from text, and writes the capacities. supports_text()
+// (settings.h) writes the places.
+
+// Reads "none" or a list (list_text.h) of supports x,y or x,y@capacity, such as "0,0 160,0@30".
+// Returns whether the text is valid. If so, sets the document's supports, their capacities and, if
+// there are supports, its method; otherwise changes nothing. O(bytes).
+bool read_supports(std::string_view text, Document& document);
+
+// The first item that is not a valid support, as refused_item() (list_text.h) returns it. O(bytes).
+std::string_view refused_support(std::string_view text);
+
+// read_capacities() reads a list such as "30,none,40", or an empty text for no capacities. It
+// returns whether the text is valid, and changes the capacities only if it is. capacities_text()
+// writes such a text. O(bytes).
+using Capacities = std::vector<std::optional<double>>;
+bool read_capacities(std::string_view text, Capacities& capacities);
+std::string capacities_text(const Capacities& capacities);
+
+// Whether `capacities` is empty, or has at most most_supports entries of which at least one is set
+// and all that are set are in range. O(capacities).
+bool are_capacities(const Capacities& capacities);
+
+// --- Reads the sizes of robots and the no-go edges and parts from text, and checks them.
+
+// Commas separate the words of the text. Calls read(word) for each word in order until a call
+// returns false. Returns whether all words were accepted.
+template <class Read>
+bool for_each_word(std::string_view text, Read read) {
+  while (true) {
+    const std::size_t comma = text.find(',');
+    if (!read(text.substr(0, comma))) return false;
+    if (comma == std::string_view::npos) return true;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+// Each function returns whether the text is valid, and changes the setting only if it is. O(bytes).
+bool read_size(std::string_view text, double& size);
+bool read_robot(std::string_view text, RobotSize& robot);
+bool read_no_go(std::string_view text, std::vector<EdgePart>& no_go);
+
+// The first word that is not an edge or part of an edge; empty if there is no such word, or if it
+// is not quotable. O(bytes).
+std::string_view refused_part(std::string_view text);
+
+// Whether a part of a text can be quoted in a message: at most 40 printable ASCII characters.
+// O(bytes).
+bool is_quotable(std::string_view part);
+
+// Whether all sizes are in range. O(1).
+bool is_robot_size(const RobotSize& robot);
+// Whether all parts and their number are in range. O(parts).
+bool is_no_go(const std::vector<EdgePart>& no_go);
+
+// --- Reads cargo from text and checks it. cargo_text() (settings.h) writes it.
+
+// Reads "none" or a list (list_text.h) of items x,y:weight or x,y:weight:name, such as
+// "8,8:24 0,0:3:\"a box\"". A quotation mark within a quoted name is doubled. Returns whether the
+// text is valid, and changes the cargo only if it is. O(bytes).
+bool read_cargo(std::string_view text, std::vector<Cargo>& cargo);
+
+// The first item that is not valid cargo, as refused_item() (list_text.h) returns it. O(bytes).
+std::string_view refused_cargo(std::string_view text);
+
+// The reason why a weight or a name of cargo is refused; nullptr if it is valid. A name must be
+// UTF-8 without control characters and have at most max_name_characters. O(bytes).
+const char* fault_of_cargo_weight(double weight);
+const char* fault_of_cargo_name(std::string_view name);
+
+// Whether there are at most max_cargo items, each with coordinates of at most max_coordinate in
+// size, a valid weight and a valid name. O(bytes of names).
+bool is_cargo(const std::vector<Cargo>& cargo);
+
+}  // namespace evenlift

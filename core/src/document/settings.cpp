@@ -2,11 +2,7 @@
 
 #include <iterator>
 
-#include "document/cargo_settings.h"
 #include "document/setting_values.h"
-#include "document/slope_setting.h"
-#include "document/stand_settings.h"
-#include "document/support_settings.h"
 #include "evenlift/numbers.h"
 #include "evenlift/wording.h"
 

@@ -1,7 +1,8 @@
-#include "evenlift/predicates.h"
-
+#include <algorithm>
 #include <cmath>
 
+#include "evenlift/predicates.h"
+#include "evenlift/tolerance.h"
 #include "exact/double_double.h"
 #include "exact/dyadic.h"
 
@@ -113,6 +114,26 @@ double orient_mirrored(const Vec2& centre, const Vec2& w, const Vec2& b, const V
                                 exact_difference(b.y, centre.y) + exact_difference(w.y, centre.y),
                                 exact_difference(c.x, b.x), exact_difference(c.y, b.y)};
       });
+}
+
+bool ratios_tie(double a, double b) { return std::fabs(a - b) <= tau; }
+
+bool lengths_tie(double a, double b) { return std::fabs(a - b) <= tau * std::max(a, b); }
+
+double score_slack(double best, double floor) { return std::max(tau * best, floor); }
+
+bool exceeds(double load, double capacity) { return load > capacity * (1 + tau); }
+
+bool directions_agree(const Vec2& a, const Vec2& b) {
+  const double side = std::fabs(cross(a, b));
+  // A cheap test that avoids two square roots in most calls.
+  if (side > 2 * tau * (one_norm(a) * one_norm(b))) return false;
+  return dot(a, b) > 0 && side <= tau * length(a) * length(b);
+}
+
+bool is_vertical(const Vec2& direction) {
+  const double x = std::fabs(direction.x);
+  return x <= 2 * tau * one_norm(direction) && x <= tau * length(direction);
 }
 
 }  // namespace evenlift

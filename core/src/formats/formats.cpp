@@ -1,10 +1,139 @@
-#include "evenlift/formats.h"
+// The thesis's format (appendix A.1): optionally `CoM:(x,y)` on the first line, then one `(x,y)` on
+// each line. Lines for holes and cargo, which the thesis lacks, may follow.
+#include <string>
+#include <utility>
 
+#include "document/setting_values.h"
+#include "evenlift/formats.h"
+#include "evenlift/wording.h"
 #include "formats/readers.h"
 #include "numbers/number_text.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {
+namespace {
+
+// Reads `(x,y)`, with spaces anywhere but no line break.
+std::optional<InputError> take_pair(TextCursor& cursor, const char* before, Vec2& point) {
+  if (!cursor.take('(')) return cursor.expected(before);
+  cursor.skip_spaces_in_line();
+  if (auto error = cursor.take_number(point.x, "a number")) return error;
+  cursor.skip_spaces_in_line();
+  if (!cursor.take(',')) return cursor.expected("',' between the coordinates");
+  cursor.skip_spaces_in_line();
+  if (auto error = cursor.take_number(point.y, "a number")) return error;
+  cursor.skip_spaces_in_line();
+  if (cursor.sees(',')) return cursor.error(ErrorCode::unsupported, no_third_coordinate);
+  if (!cursor.take(')')) return cursor.expected("')' after the coordinates");
+  return std::nullopt;
+}
+
+std::optional<InputError> take_line_end(TextCursor& cursor, const char* after) {
+  cursor.skip_spaces_in_line();
+  if (!cursor.at_line_end())
+    return cursor.expected(say("the end of the line after {text}", {after}));
+  cursor.skip_white_space();
+  return std::nullopt;
+}
+
+// Reads a word that is known to be there, such as CoM, and its colon.
+std::optional<InputError> take_label(TextCursor& cursor, const char* expected) {
+  cursor.take_word();
+  cursor.skip_spaces_in_line();
+  if (!cursor.take(':')) return cursor.expected(expected);
+  cursor.skip_spaces_in_line();
+  return std::nullopt;
+}
+
+std::optional<InputError> take_centre_of_mass(TextCursor& cursor, Document& document) {
+  if (!same_word(cursor.word(), "com")) return cursor.expected("'(' or 'CoM:'");
+  if (auto error = take_label(cursor, "':' after 'CoM'")) return error;
+  Vec2 point;
+  if (auto error = take_pair(cursor, "'(' after 'CoM:'", point)) return error;
+  document.centre_of_mass = point;
+  return take_line_end(cursor, "')'");
+}
+
+// Reads the lines of vertices at the cursor, at most `room`.
+std::optional<InputError> take_ring(TextCursor& cursor, Points& ring, std::size_t& room) {
+  for (; cursor.sees('('); --room) {
+    if (room == 0) return cursor.error(ErrorCode::too_many_vertices, no_more_vertices);
+    Vec2 point;
+    if (auto error = take_pair(cursor, "'(' before the coordinates", point)) return error;
+    ring.push_back(point);
+    if (auto error = take_line_end(cursor, "')'")) return error;
+  }
+  return std::nullopt;
+}
+
+std::optional<InputError> take_hole(TextCursor& cursor, Document& document, std::size_t& room) {
+  if (document.holes.size() == max_holes)
+    return cursor.error(ErrorCode::too_many_vertices, no_more_holes);
+  if (auto error = take_label(cursor, "':' after 'Hole'")) return error;
+  if (auto error = take_line_end(cursor, "'Hole:'")) return error;
+  Points& hole = document.holes.emplace_back();
+  if (auto error = take_ring(cursor, hole, room)) return error;
+  if (hole.empty()) return cursor.error(ErrorCode::too_few_vertices, no_vertices_of_hole);
+  return std::nullopt;
+}
+
+// Reads `Cargo:(x,y) weight name`; the name may be missing.
+std::optional<InputError> take_cargo(TextCursor& cursor, Settings& settings) {
+  if (settings.cargo.size() == max_cargo)
+    return cursor.error(ErrorCode::bad_setting, no_more_cargo);
+  if (auto error = take_label(cursor, "':' after 'Cargo'")) return error;
+  Cargo item;
+  if (auto error = take_pair(cursor, "'(' after 'Cargo:'", item.at)) return error;
+  cursor.skip_spaces_in_line();
+  const std::size_t weight = cursor.offset();
+  if (auto error = cursor.take_number(item.weight, "a weight after ')'")) return error;
+  if (const char* fault = fault_of_cargo_weight(item.weight))
+    return cursor.error_at(weight, ErrorCode::bad_setting, fault);
+  const std::size_t end = cursor.offset();
+  cursor.skip_spaces_in_line();
+  if (cursor.offset() == end && !cursor.at_line_end())
+    return cursor.expected("a space or the end of the line after the weight");
+  const std::size_t name = cursor.offset();
+  item.name = trimmed(cursor.take_rest_of_line());
+  if (const char* fault = fault_of_cargo_name(item.name))
+    return cursor.error_at(name, ErrorCode::bad_setting, fault);
+  settings.cargo.push_back(std::move(item));
+  cursor.skip_white_space();
+  return std::nullopt;
+}
+
+InputError out_of_place(const TextCursor& cursor, bool after_cargo) {
+  if (same_word(cursor.word(), "com"))
+    return cursor.error(ErrorCode::bad_syntax, "'CoM:' may appear only once, before the vertices");
+  if (after_cargo && (cursor.sees('(') || same_word(cursor.word(), "hole")))
+    return cursor.error(ErrorCode::bad_syntax, "vertices and holes come before the cargo");
+  return cursor.expected("'(' before the coordinates");
+}
+
+}  // namespace
+
+Result<Document> read_thesis(std::string_view text) {
+  Document document;
+  TextCursor cursor(text);
+  cursor.skip_white_space();
+  if (cursor.sees_letter()) {
+    if (auto error = take_centre_of_mass(cursor, document)) return *std::move(error);
+  }
+  std::size_t room = max_vertices;
+  if (auto error = take_ring(cursor, document.vertices, room)) return *std::move(error);
+  if (document.vertices.empty())
+    return cursor.at_end() ? cursor.error(ErrorCode::too_few_vertices, no_vertices)
+                           : out_of_place(cursor, false);
+  while (same_word(cursor.word(), "hole")) {
+    if (auto error = take_hole(cursor, document, room)) return *std::move(error);
+  }
+  while (same_word(cursor.word(), "cargo")) {
+    if (auto error = take_cargo(cursor, document.settings)) return *std::move(error);
+  }
+  if (!cursor.at_end()) return out_of_place(cursor, !document.settings.cargo.empty());
+  return document;
+}
+
 namespace {
 
 void append_pair(std::string& text, const Vec2& point, const char* separator) {

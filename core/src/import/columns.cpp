@@ -8,7 +8,6 @@
 #include "formats/readers.h"
 #include "import/gathering.h"
 #include "import/readers.h"
-#include "import/ring_notes.h"
 #include "import/table_columns.h"
 #include "import/tables/cells.h"
 #include "import/tables/table_headings.h"

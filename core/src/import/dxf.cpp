@@ -7,7 +7,6 @@
 
 #include "evenlift/wording.h"
 #include "import/dxf/drawing.h"
-#include "import/dxf/insert.h"
 #include "import/dxf/outlines.h"
 #include "import/gathering.h"
 #include "import/readers.h"

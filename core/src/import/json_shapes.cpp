@@ -2,7 +2,7 @@
 #include <cmath>
 #include <vector>
 
-#include "document/cargo_settings.h"
+#include "document/setting_values.h"
 #include "evenlift/formats.h"
 #include "evenlift/numbers.h"
 #include "evenlift/polygon_with_holes.h"
@@ -12,7 +12,6 @@
 #include "import/gathering.h"
 #include "import/joining/nesting.h"
 #include "import/readers.h"
-#include "import/ring_notes.h"
 #include "import/tables/table_headings.h"
 #include "numbers/json_tree.h"
 #include "numbers/text_cursor.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "evenlift/import.h"
 #include "import/gathering.h"
-#include "import/ring_notes.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {
@@ -56,5 +56,16 @@ Result<Import> read_wkt_table(std::string_view text, const ImportOptions& option
 // Whether one of the first 100 lines of a table has WKT. But returns false if an earlier line
 // names columns of coordinates and the first WKT is a point, which repeats them. O(100 lines).
 bool has_wkt_cells(std::string_view text);
+
+// --- Reads points as Python writes them: lists and tuples, such as "[(0, 0), (1, 0)]", and numpy's
+// arrays.
+
+// Whether the text has only numbers, commas, brackets and parentheses, and either begins with two
+// brackets or parentheses, such as "[(", or has a comma after its first "(x, y)". The thesis's
+// format has no such comma. O(bytes).
+bool looks_like_python(std::string_view text);
+
+// Reads each list of points as a shape. O(bytes).
+Result<Import> read_python_points(std::string_view text, const ImportOptions& options);
 
 }  // namespace evenlift

@@ -1,10 +1,3 @@
-// The loads of equally stiff robots that cannot pull.
-//
-// Of all loads f >= 0 that balance the weight, those with the least sum of squares are max(0, g)
-// for a function g(q) = a + b . q of the robot's place. It minimizes 1/2 sum max(0, g)^2 - m g(C),
-// in units of weight / m: a convex function of (a, b) whose gradient is the lack of balance.
-// Newton's step leads to the g that balances the weight with the robots that carry load at present.
-// Those that would have to pull go slack, others start to carry, and so on until the loads settle.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,6 +8,52 @@
 #include "robustness/support.h"
 
 namespace evenlift {
+namespace {
+
+// Within tolerance of this line through the centroid.
+bool on_one_line(const Vec2& direction, const Points& offsets) {
+  return std::all_of(offsets.begin(), offsets.end(), [&](const Vec2& d) {
+    return std::fabs(cross(direction, d)) <= tau * length(direction);
+  });
+}
+
+Vec2 with_mean_square_1(const Vec2& axis, const Points& offsets) {
+  double square = 0;
+  for (const Vec2& d : offsets) square += dot(axis, d) * dot(axis, d);
+  return axis / std::sqrt(square / static_cast<double>(offsets.size()));
+}
+
+}  // namespace
+
+StandardFrame standard_frame(const Points& points) {
+  StandardFrame frame;
+  for (const Vec2& p : points) frame.mean += p;
+  frame.mean /= static_cast<double>(points.size());
+  Points offsets;
+  Vec2 farthest;
+  for (const Vec2& p : points) {
+    offsets.push_back(p - frame.mean);
+    if (length(offsets.back()) > length(farthest)) farthest = offsets.back();
+  }
+  if (length(farthest) <= tau) return frame;
+  frame.axis[0] = with_mean_square_1(farthest, offsets);
+  if (on_one_line(farthest, offsets)) return frame;
+  const Vec2 across = with_mean_square_1(left_normal(farthest), offsets);
+  double together = 0;  // the coordinates' mean product, removed from the second axis
+  for (const Vec2& d : offsets) together += dot(frame.axis[0], d) * dot(across, d);
+  together /= static_cast<double>(points.size());
+  frame.axis[1] = with_mean_square_1(across - together * frame.axis[0], offsets);
+  return frame;
+}
+
+// --- The loads of equally stiff robots that cannot pull.
+//
+// Of all loads f >= 0 that balance the weight, those with the least sum of squares are max(0, g)
+// for a function g(q) = a + b . q of the robot's place. It minimizes 1/2 sum max(0, g)^2 - m g(C),
+// in units of weight / m: a convex function of (a, b) whose gradient is the lack of balance.
+// Newton's step leads to the g that balances the weight with the robots that carry load at present.
+// Those that would have to pull go slack, others start to carry, and so on until the loads settle.
+
 namespace {
 
 // Of places relative to C.
@@ -190,6 +229,26 @@ std::optional<SpringLoads> spring_loads(const Points& robots, const Vec2& centre
   return SpringLoads{spread_out(*support, loads, robots.size()),
                      spread_out(*support, per_length, robots.size()),
                      changes.determined() ? finite(same_within * support->unit) : 0};
+}
+
+std::string_view name(LoadModel model) {
+  switch (model) {
+    case LoadModel::plan:
+      return "plan";
+    case LoadModel::springs:
+      return "springs";
+    case LoadModel::best:
+      return "best";
+    case LoadModel::worst:
+      return "worst";
+  }
+  return {};
+}
+
+std::optional<LoadModel> load_model_from_name(std::string_view text) {
+  for (const LoadModel model : all_load_models)
+    if (text == name(model)) return model;
+  return std::nullopt;
 }
 
 }  // namespace evenlift

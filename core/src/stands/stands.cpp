@@ -1,12 +1,232 @@
-#include "evenlift/stands.h"
-
 #include <algorithm>
+#include <limits>
+#include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "evenlift/numbers.h"
+#include "evenlift/settings.h"
+#include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
+#include "evenlift/wording.h"
+#include "exact/sorted_indices.h"
+#include "polygon/outline_walk.h"
 #include "stands/survey.h"
 
 namespace evenlift {
+
+Stands::Way Stands::way_to_end(const Polygon& polygon, std::uint32_t edge, double t, bool on,
+                               bool past_corners, double most) const {
+  double at = t, way = 0;
+  for (std::size_t passed = 0; passed < polygon.size() && !(way > most); ++passed) {
+    const Stretches parts = room(edge);
+    const Stretch* part = std::find_if(parts.begin(), parts.end(), [&](const Stretch& each) {
+      return at >= each.from - 3 * near_ && at <= each.to + 3 * near_;
+    });
+    if (part == parts.end()) return {way, std::nullopt};
+    way += std::max(0.0, on ? part->to - at : at - part->from);
+    if (on ? part->to < frames_[edge].length - 3 * near_ : part->from > 3 * near_)
+      return {way, std::nullopt};
+    const std::size_t vertex = on ? polygon.next(edge) : edge;
+    if (!past_corners && (polygon.is_corner(vertex) || polygon.is_notch(vertex)))
+      return {way, vertex};
+    edge = static_cast<std::uint32_t>(on ? vertex : polygon.previous(edge));
+    at = on ? 0 : frames_[edge].length;
+  }
+  return {std::numeric_limits<double>::infinity(), std::nullopt};
+}
+
+std::vector<double> Stands::drifts(const Polygon& polygon, double accuracy) const {
+  const double arm = std::max(robot_.radius + robot_.reach, robot_.depth);
+  std::vector<double> drifts;
+  drifts.reserve(polygon.size());
+  for (std::uint32_t edge = 0; edge < polygon.size(); ++edge)
+    drifts.push_back(
+        accuracy + arm * std::max(greatest_turn(polygon, polygon.edge_start(edge), edge, accuracy),
+                                  greatest_turn(polygon, polygon.edge_end(edge), edge, accuracy)));
+  return drifts;
+}
+
+Stands::Parts Stands::usable_parts(const Polygon& polygon, const StandReserve& reserve) const {
+  const auto of_digits = [&](double room) { return std::min(reserve.length, room / 4); };
+  // What must be left free at an end of a part.
+  const auto kept = [&](std::uint32_t edge, const Stretch& part, bool on) {
+    const double to_vertex = on ? frames_[edge].length - part.to : part.from;
+    const std::size_t vertex = on ? polygon.next(edge) : edge;
+    const Way beyond = way_to_end(polygon, edge, on ? part.to : part.from, on, false,
+                                  std::max(reserve.accuracy, reserve.from_corner));
+    double needed = reserve.accuracy;
+    if (beyond.vertex && polygon.is_corner(*beyond.vertex)) needed = reserve.from_corner;
+    // A robot without a body is pressed into the notch.
+    if (beyond.vertex && polygon.is_notch(*beyond.vertex) && !has_body()) return 0.0;
+    double least = std::max(0.0, needed - beyond.length);
+    // Also at a bend, so that a place that is typed stays on its side.
+    if (has_body()) least = std::max(least, of_digits(part.to - part.from));
+    if (beyond.length == 0 && has_body())
+      least = std::max({least, reserve.accuracy, reserve.part * (part.to - part.from)});
+    return polygon.is_corner(vertex) ? std::max(least, reserve.from_corner - to_vertex) : least;
+  };
+  Parts usable;
+  usable.begins.push_back(0);
+  for (std::uint32_t edge = 0; edge < polygon.size(); ++edge) {
+    for (const Stretch& part : room(edge)) {
+      const Stretch left{part.from + kept(edge, part, false), part.to - kept(edge, part, true)};
+      if (left.to - left.from >= near_) usable.parts.push_back(left);
+    }
+    usable.begins.push_back(static_cast<std::uint32_t>(usable.parts.size()));
+  }
+  return usable;
+}
+
+namespace {
+
+bool comes_first(const EdgePart& a, const EdgePart& b) {
+  return a.edge != b.edge ? a.edge < b.edge : a.from < b.from;
+}
+
+// Sorted, and joined where they meet.
+std::vector<EdgePart> united(std::vector<EdgePart> parts) {
+  sort_items(parts, comes_first);
+  std::vector<EdgePart> joined;
+  for (const EdgePart& part : parts) {
+    if (!joined.empty() && joined.back().edge == part.edge && part.from <= joined.back().to)
+      joined.back().to = std::max(joined.back().to, part.to);
+    else
+      joined.push_back(part);
+  }
+  return joined;
+}
+
+}  // namespace
+
+std::vector<EdgePart> with_part(std::vector<EdgePart> no_go, const EdgePart& part) {
+  no_go.push_back(part);
+  return united(std::move(no_go));
+}
+
+std::vector<EdgePart> without_part(std::vector<EdgePart> no_go, const EdgePart& part) {
+  std::vector<EdgePart> left;
+  for (const EdgePart& marked : united(std::move(no_go))) {
+    if (marked.edge != part.edge) {
+      left.push_back(marked);
+      continue;
+    }
+    if (marked.from < part.from)
+      left.push_back({marked.edge, marked.from, std::min(marked.to, part.from)});
+    if (marked.to > part.to)
+      left.push_back({marked.edge, std::max(marked.from, part.to), marked.to});
+  }
+  return left;
+}
+
+bool is_marked(const std::vector<EdgePart>& no_go, std::uint32_t edge, double at) {
+  return std::any_of(no_go.begin(), no_go.end(), [&](const EdgePart& part) {
+    return part.edge == edge && at >= part.from && at <= part.to;
+  });
+}
+
+std::vector<EdgePart> after_split(const std::vector<EdgePart>& no_go, std::uint32_t edge,
+                                  double at) {
+  std::vector<EdgePart> parts;
+  for (EdgePart part : no_go) {
+    if (part.edge != edge) {
+      if (part.edge > edge) ++part.edge;
+      parts.push_back(part);
+      continue;
+    }
+    if (part.from < at && at > 0)
+      parts.push_back({edge, part.from / at, std::min(part.to / at, 1.0)});
+    if (part.to > at && at < 1)
+      parts.push_back(
+          {edge + 1, std::max((part.from - at) / (1 - at), 0.0), (part.to - at) / (1 - at)});
+  }
+  return united(std::move(parts));
+}
+
+std::vector<EdgePart> after_removal(const std::vector<EdgePart>& no_go, const Points& vertices,
+                                    std::uint32_t vertex) {
+  const auto n = static_cast<std::uint32_t>(vertices.size());
+  const std::uint32_t before = (vertex + n - 1) % n, next = (vertex + 1) % n;
+  const double first = length(vertices[vertex] - vertices[before]),
+               second = length(vertices[next] - vertices[vertex]);
+  const double at = first / (first + second);
+  const std::uint32_t joined = vertex == 0 ? n - 2 : vertex - 1;
+  std::vector<EdgePart> parts;
+  for (const EdgePart& part : no_go) {
+    if (part.edge == before)
+      parts.push_back({joined, part.from * at, part.to * at});
+    else if (part.edge == vertex)
+      parts.push_back(
+          {joined, at + part.from * (1 - at), part.to == 1 ? 1 : at + part.to * (1 - at)});
+    else
+      parts.push_back({part.edge > vertex ? part.edge - 1 : part.edge, part.from, part.to});
+  }
+  return united(std::move(parts));
+}
+
+namespace {
+
+// Names the whole size, since the radius need not be the reason.
+InputError no_room(const Settings& settings) {
+  const RobotSize& robot = settings.robot;
+  const bool arm = robot.reach > 0, body = robot.radius > 0 || arm,
+             hand = robot.depth > 0 || robot.width > 0;
+  if (!body && !hand)
+    return setting_error(Setting::no_go, "the no-go edges leave no edge for the robots");
+  constexpr const char* messages[2][2] = {
+      {"no edge has room for a robot of radius {radius}",
+       "no edge has room for a robot of radius {radius}, with a hand of depth {depth} and width "
+       "{width}"},
+      {"no edge has room for a robot of radius {radius} and reach {reach}",
+       "no edge has room for a robot of radius {radius} and reach {reach}, with a hand of depth "
+       "{depth} and width {width}"}};
+  std::vector<std::string> sizes;
+  if (body) sizes.push_back(shortest(robot.radius));
+  if (arm) sizes.push_back(shortest(robot.reach));
+  if (hand) sizes.insert(sizes.end(), {shortest(robot.depth), shortest(robot.width)});
+  const char* message = body ? messages[arm ? 1 : 0][hand ? 1 : 0]
+                             : "no edge has room for a hand of depth {depth} and width {width}";
+  return setting_error(Setting::robot, say_written(message, sizes.data(), sizes.size()));
+}
+
+}  // namespace
+
+bool stands_anywhere(const Settings& settings) {
+  const bool is_searched =
+      selects_candidates(settings.method) || settings.method == Method::balanced;
+  return settings.robot == RobotSize{} && settings.no_go.empty() &&
+         !(is_searched && settings.accuracy.value_or(0) > 0);
+}
+
+Result<std::shared_ptr<const Stands>> make_stands(const PolygonWithHoles& object,
+                                                  const Vec2& centre, const Settings& settings) {
+  if (stands_anywhere(settings)) return std::shared_ptr<const Stands>();
+  for (const EdgePart& part : settings.no_go)
+    if (part.edge >= object.outline().size())
+      return setting_error(Setting::no_go, say("there is no edge {edge}; the polygon has {edges}",
+                                               {part.edge + 1, object.outline().size()}));
+  // Given supports stay where they are, however accurate they are.
+  StandReserve reserve;
+  const double accuracy = settings.accuracy.value_or(0);
+  if (accuracy > 0 && settings.method != Method::given)
+    reserve = {accuracy,
+               std::max(accuracy, settings.clear.value_or(
+                                      usual_clear * farthest_vertex(object.outline(), centre)))};
+  // Then places that are typed with a few digits fit again.
+  if (settings.robot.has_body()) {
+    reserve.part = 1e-3;
+    reserve.length = usual_snap * object.outline().diameter();
+  }
+  auto stands = std::make_shared<const Stands>(object, settings.robot, settings.no_go, reserve);
+  if (!stands->any() && settings.method != Method::given) return no_room(settings);
+  if (!stands->any_usable() && settings.method != Method::given)
+    return setting_error(
+        Setting::accuracy,
+        say("no edge has room for robots that may be off by {accuracy}", {shortest(accuracy)}));
+  return std::shared_ptr<const Stands>(std::move(stands));
+}
+
 namespace {
 
 std::vector<char> forbidden_vertices(const Polygon& polygon, const std::vector<EdgePart>& no_go,

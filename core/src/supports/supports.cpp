@@ -1,14 +1,16 @@
-#include "evenlift/supports.h"
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
+#include "balanced/completions.h"
 #include "evenlift/hull.h"
 #include "evenlift/numbers.h"
 #include "evenlift/plane.h"
 #include "evenlift/settings.h"
+#include "evenlift/supports.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
 #include "numbers/number_text.h"
@@ -186,6 +188,215 @@ std::vector<std::string> snap_notes(const PolygonWithHoles& object, const Settin
             "{snap} puts it at the edge",
             {nearest + 1, in_brief(least_beneath), enough_for(least_beneath)}));
   return notes;
+}
+
+// --- Places for robots that the user will move.
+
+namespace {
+
+// Rounds to about a thousandth of a length, for short coordinates and links.
+class ShortNumbers {
+ public:
+  explicit ShortNumbers(double length) {
+    for (; length * up_ / down_ < 1e3; up_ *= 10) continue;
+    for (; length * up_ / down_ >= 1e4; down_ *= 10) continue;
+  }
+  double operator()(double value) const { return std::round(value * up_ / down_) * down_ / up_; }
+
+ private:
+  double up_ = 1, down_ = 1;  // powers of ten; one of them is 1
+};
+
+// Places along the sides of a square, from its lower left corner; none if one is outside the
+// object. `size` is half a side.
+Points on_square(const SupportPlacer& placer, const ShortNumbers& rounded, const Vec2& middle,
+                 double size, std::size_t robots) {
+  Points supports;
+  for (std::size_t i = 0; i < robots; ++i) {
+    const double way = 4.0 * static_cast<double>(i) / static_cast<double>(robots);
+    const double part = 2 * (way - std::floor(way)) - 1;
+    const Vec2 leg = way < 1   ? Vec2(part, -1)
+                     : way < 2 ? Vec2(1, part)
+                     : way < 3 ? Vec2(-part, 1)
+                               : Vec2(-1, -part);
+    const Vec2 at = middle + size * leg;
+    const Vec2 short_at(rounded(at.x), rounded(at.y));
+    if (!placer.place(short_at)) return {};
+    supports.push_back(short_at);
+  }
+  return supports;
+}
+
+// Offsets of the square's middle from C, in units of `size`: `wanted`, then others with C inside
+// the square, the nearest to `wanted` first.
+std::vector<Vec2> middles(const Vec2& wanted) {
+  std::vector<Vec2> all = {wanted};
+  for (int x = -3; x <= 3; ++x)
+    for (int y = -3; y <= 3; ++y) all.push_back(Vec2(0.3 * x, 0.3 * y));
+  std::stable_sort(all.begin(), all.end(), [&](const Vec2& a, const Vec2& b) {
+    return length(a - wanted) < length(b - wanted);
+  });
+  return all;
+}
+
+}  // namespace
+
+Points supports_to_place(const PolygonWithHoles& object, const Vec2& centre, std::size_t robots,
+                         const Settings& settings) {
+  const Polygon& polygon = object.outline();
+  Vec2 corner = centre;
+  for (const Vec2& vertex : polygon.vertices())
+    if (length(vertex - centre) > length(corner - centre)) corner = vertex;
+  const SupportPlacer placer(object, settings);
+  const double diameter = polygon.diameter(), largest = 0.15 * diameter;
+  const ShortNumbers rounded(diameter);
+  const std::vector<Vec2> offsets = middles(0.8 / length(corner - centre) * (corner - centre));
+  const auto fits = [&](const Vec2& offset, double size) {
+    return on_square(placer, rounded, centre + size * offset, size, robots);
+  };
+  for (const double size : {largest, largest / 2})
+    if (Points supports = fits(offsets[0], size); !supports.empty()) return supports;
+  // On smaller squares robots hide each other, so the middle may be elsewhere.
+  for (double size = largest; size > 1e-3 * diameter; size /= 2)
+    for (const Vec2& offset : offsets)
+      if (Points supports = fits(offset, size); !supports.empty()) return supports;
+  return Points(robots, polygon.vertex(0));
+}
+
+namespace {
+
+Misfit::Why why_misfit(WhyUnusable why, const RobotSize& robot) {
+  switch (why) {
+    case WhyUnusable::no_go:
+    case WhyUnusable::near_no_go:
+      return Misfit::Why::no_go;
+    case WhyUnusable::arm:
+      return Misfit::Why::arm;
+    case WhyUnusable::hand:
+      return Misfit::Why::hand;
+    case WhyUnusable::hole:
+      return Misfit::Why::hole;
+    case WhyUnusable::corner:
+      return robot.depth > 0 || robot.width > 0 ? Misfit::Why::hand : Misfit::Why::outside;
+    case WhyUnusable::body:
+    case WhyUnusable::narrow:
+      break;
+  }
+  return Misfit::Why::outside;
+}
+
+}  // namespace
+
+std::vector<Misfit> misfits(const Polygon& polygon, const Stands* stands,
+                            const std::vector<LiftingPoint>& robots) {
+  const double near = near_distance(polygon.diameter());
+  std::vector<Misfit> found;
+  for (std::uint32_t i = 0; i < robots.size(); ++i) {
+    const LiftingPoint& robot = robots[i];
+    if (stands && robot.edge != beneath)
+      if (const auto why = stands->why_not(robot.edge, stands->along(robot)))
+        found.push_back({i, why_misfit(*why, stands->robot()), 0});
+    for (std::uint32_t other = 0; other < i; ++other)
+      if (length(robot.position - robots[other].position) <= near ||
+          (stands && stands->collide(robot, robots[other])))
+        found.push_back({i, Misfit::Why::too_near, other});
+  }
+  return found;
+}
+
+std::string misfit_in_words(const Misfit& misfit) {
+  switch (misfit.why) {
+    case Misfit::Why::outside:
+      return "outside";
+    case Misfit::Why::arm:
+      return "arm";
+    case Misfit::Why::hand:
+      return "hand";
+    case Misfit::Why::hole:
+      return "hole";
+    case Misfit::Why::no_go:
+      return "no-go";
+    case Misfit::Why::too_near:
+      break;
+  }
+  return "too near robot " + std::to_string(misfit.other + 1);
+}
+
+namespace {
+
+using Robots = std::vector<LiftingPoint>;
+
+Vec2 centroid_of(const Robots& robots) {
+  Vec2 sum;
+  for (const LiftingPoint& robot : robots) sum += robot.position;
+  return sum / static_cast<double>(robots.size());
+}
+
+// The best move so far, by the sum of squared displacements.
+class NearestEven {
+ public:
+  NearestEven(const balanced::Rules& rules, const Robots& robots)
+      : rules_(rules), robots_(robots) {}
+
+  // Tries all places of robots i < j, perhaps with a third at `place`.
+  void try_two(std::size_t i, std::size_t j, std::optional<std::size_t> third = std::nullopt,
+               const LiftingPoint& place = {}) {
+    Robots all = robots_;
+    if (third) all[*third] = place;
+    const double before = third ? square(place, robots_[*third]) : 0;
+    if (best_ && !(before < least_)) return;
+    Robots others, staying;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (k == i || k == j) continue;
+      others.push_back(all[k]);
+      if (k != third) staying.push_back(all[k]);
+    }
+    if (third && rules_.collides(staying, staying.size(), place)) return;
+    for (const Candidate& candidate : balanced::all_pairs_to_complete(rules_, others)) {
+      const LiftingPoint &r1 = candidate.chord.r1, &r2 = candidate.chord.r2;
+      for (const auto& ends : {std::array{r1, r2}, std::array{r2, r1}}) {
+        const double way = before + square(ends[0], robots_[i]) + square(ends[1], robots_[j]);
+        if (best_ && !(way < least_)) continue;
+        if (rules_.collides(others, others.size(), r1) ||
+            rules_.collides(others, others.size(), r2))
+          continue;
+        all[i] = ends[0];
+        all[j] = ends[1];
+        best_ = all;
+        least_ = way;
+      }
+    }
+  }
+
+  const std::optional<Robots>& best() const { return best_; }
+
+ private:
+  static double square(const LiftingPoint& a, const LiftingPoint& b) {
+    return squared_length(a.position - b.position);
+  }
+
+  const balanced::Rules& rules_;
+  const Robots& robots_;
+  std::optional<Robots> best_;
+  double least_ = 0;
+};
+
+}  // namespace
+
+std::optional<Robots> even_out(const BalancedProblem& problem, const Robots& robots) {
+  const std::size_t m = robots.size();
+  const double near = near_distance(problem.rules().polygon().diameter());
+  if (m > 0 && length(centroid_of(robots) - problem.rules().centre()) <= near) return robots;
+  NearestEven nearest(problem.rules(), robots);
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = i + 1; j < m; ++j) nearest.try_two(i, j);
+  if (nearest.best() || m > most_evened_by_three) return nearest.best();
+  for (std::size_t third = 0; third < m; ++third)
+    for (const LiftingPoint& place : problem.rules().stands())
+      for (std::size_t i = 0; i < m; ++i)
+        for (std::size_t j = i + 1; j < m; ++j)
+          if (i != third && j != third) nearest.try_two(i, j, third, place);
+  return nearest.best();
 }
 
 }  // namespace evenlift

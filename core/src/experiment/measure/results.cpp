@@ -1,10 +1,11 @@
-#include "evenlift/experiment/results.h"
-#include "evenlift/formats.h"
-#include "evenlift/numbers.h"
-
 #include <algorithm>
 #include <tuple>
 
+#include "evenlift/experiment/results.h"
+#include "evenlift/experiment/shard_list.h"
+#include "evenlift/formats.h"
+#include "evenlift/numbers.h"
+#include "experiment/measure/csv.h"
 #include "experiment/measure/fields.h"
 
 namespace evenlift::experiment {
@@ -201,6 +202,102 @@ std::string polygons_csv(const std::vector<ResultSet>& sets) {
   for (const ResultSet& set : sets)
     for (const PolygonResult& result : set.results) text += csv::line(polygon_row(result));
   return text;
+}
+
+}  // namespace evenlift::experiment
+
+namespace evenlift::experiment::csv {
+
+std::string field(std::string_view text) {
+  if (text.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(text);
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  return out + '"';
+}
+
+std::string line(const Row& row) {
+  std::string out;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (i > 0) out += ',';
+    out += field(row[i]);
+  }
+  return out + '\n';
+}
+
+std::optional<std::vector<Row>> read(std::string_view text) {
+  std::vector<Row> rows;
+  Row row;
+  for (std::size_t at = 0; at < text.size();) {
+    std::string value;
+    if (text[at] == '"') {
+      for (++at;; ++at) {
+        if (at >= text.size()) return std::nullopt;
+        if (text[at] == '"' && text.substr(at + 1, 1) != "\"") break;
+        if (text[at] == '"') ++at;
+        value += text[at];
+      }
+      ++at;
+    } else {
+      const std::size_t end = text.find_first_of(",\n", at);
+      if (end == std::string_view::npos) return std::nullopt;
+      value = text.substr(at, end - at);
+      at = end;
+    }
+    if (at >= text.size() || (text[at] != ',' && text[at] != '\n')) return std::nullopt;
+    row.push_back(std::move(value));
+    if (text[at++] == ',') {
+      if (at == text.size()) return std::nullopt;
+      continue;
+    }
+    rows.push_back(std::move(row));
+    row.clear();
+  }
+  return rows;
+}
+
+}  // namespace evenlift::experiment::csv
+
+namespace evenlift::experiment {
+
+namespace {
+
+constexpr const char* list_format = "evenlift experiment shard 3";
+
+bool read_heading(const csv::Row& row, ShardList& list) {
+  csv::Fields fields(row, 1);
+  list.shard = {fields.whole(), 0};
+  list.shard.n = fields.whole();
+  list.settings = csv::read_settings(fields);
+  return fields.done() && row[0] == list_format && list.shard.i >= 1 &&
+         list.shard.i <= list.shard.n && list.shard.n <= max_shards;
+}
+
+}  // namespace
+
+std::string write_shard_list(const ShardList& list) {
+  csv::Row heading = csv::settings_fields(list.settings);
+  heading.insert(heading.begin(),
+                 {list_format, std::to_string(list.shard.i), std::to_string(list.shard.n)});
+  std::string text = csv::line(heading);
+  for (const ShardList::Entry& entry : list.entries)
+    text += csv::line({entry.set, entry.polygon, entry.fingerprint});
+  return text + "end\n";
+}
+
+std::optional<ShardList> read_shard_list(std::string_view text) {
+  const auto rows = csv::read(text);
+  if (!rows || rows->size() < 2 || rows->back() != csv::Row{"end"}) return std::nullopt;
+  ShardList list;
+  if (!read_heading(rows->front(), list)) return std::nullopt;
+  for (std::size_t i = 1; i + 1 < rows->size(); ++i) {
+    const csv::Row& row = (*rows)[i];
+    if (row.size() != 3) return std::nullopt;
+    list.entries.push_back({row[0], row[1], row[2]});
+  }
+  return list;
 }
 
 }  // namespace evenlift::experiment

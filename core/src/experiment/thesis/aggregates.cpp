@@ -1,11 +1,17 @@
-#include "evenlift/experiment/aggregates.h"
-
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
+#include "evenlift/experiment/aggregates.h"
+#include "evenlift/experiment/algorithm_average.h"
+#include "evenlift/experiment/few_robots.h"
 #include "evenlift/numbers.h"
+#include "evenlift/output/json_text.h"
+#include "evenlift/output/words.h"
+#include "evenlift/tolerance.h"
 #include "experiment/measure/csv.h"
+#include "experiment/thesis/markdown.h"
 
 namespace evenlift::experiment {
 namespace {
@@ -110,6 +116,138 @@ const Aggregate* find(const std::vector<Aggregate>& aggregates, Method method,
   for (const Aggregate& a : aggregates)
     if (a.method == method && a.robots == robots) return &a;
   return nullptr;
+}
+
+namespace {
+
+// Whether a spread is zero except for rounding: it is at most τ times the mean load.
+bool is_even(double spread, std::uint32_t robots) {
+  return spread <= tau * experiment_weight / robots;
+}
+
+}  // namespace
+
+std::optional<double> pick_spread(const Aggregate& a) { return a.spread.mean; }
+std::optional<double> pick_share(const Aggregate& a) { return a.max_share.mean; }
+std::optional<double> pick_coverage(const Aggregate& a) { return a.coverage.mean; }
+std::optional<double> pick_closure(const Aggregate& a) { return a.form_closure; }
+
+std::optional<double> algorithm_average(const std::vector<Aggregate>& aggregates,
+                                        std::uint32_t robots, Pick pick) {
+  double sum = 0;
+  for (const Method method : candidate_methods) {
+    const Aggregate* a = find(aggregates, method, robots);
+    const std::optional<double> value = a ? pick(*a) : std::nullopt;
+    if (!value) return std::nullopt;
+    sum += *value;
+  }
+  return sum / static_cast<double>(std::size(candidate_methods));
+}
+
+std::optional<double> spread_times(const std::vector<Aggregate>& aggregates, Method method,
+                                   std::uint32_t robots) {
+  const std::optional<double> ours = algorithm_average(aggregates, robots, pick_spread);
+  const Aggregate* other = find(aggregates, method, robots);
+  if (!ours || !other || is_even(*ours, robots)) return std::nullopt;
+  return other->spread.mean / *ours;
+}
+
+std::optional<Range> spread_ratio(const std::vector<Aggregate>& aggregates, Method method,
+                                  std::uint32_t most_robots) {
+  std::optional<Range> range;
+  for (std::uint32_t robots = 2; robots <= most_robots; robots += 2) {
+    const std::optional<double> times = spread_times(aggregates, method, robots);
+    if (!times) continue;
+    if (!range) range = {*times, *times};
+    range->least = std::min(range->least, *times);
+    range->most = std::max(range->most, *times);
+  }
+  return range;
+}
+
+std::optional<double> coverage_lead(const std::vector<Aggregate>& aggregates, Method method,
+                                    std::uint32_t most_robots) {
+  double sum = 0;
+  int count = 0;
+  for (std::uint32_t robots = 4; robots <= most_robots; robots += 2) {
+    const std::optional<double> ours = algorithm_average(aggregates, robots, pick_coverage);
+    const Aggregate* other = find(aggregates, method, robots);
+    if (!ours || !other) continue;
+    sum += *ours - other->coverage.mean;
+    ++count;
+  }
+  if (count == 0) return std::nullopt;
+  return sum / count;
+}
+
+namespace {
+
+std::string bare_percent(double share) { return fixed(100 * share, 1); }
+
+// A column of the aggregates, in words and digits.
+struct Measure {
+  const char* what;
+  std::string (*digits)(const Aggregate&);
+};
+
+constexpr Measure measures[] = {
+    {"coverage, %", [](const Aggregate& a) { return bare_percent(a.coverage.mean); }},
+    {"in form closure, %", [](const Aggregate& a) { return bare_percent(a.closed); }},
+    {"held with clearance, %", [](const Aggregate& a) { return bare_percent(a.held_clear); }},
+    {"spread of loads, kg of 100 kg", [](const Aggregate& a) { return fixed(a.spread.mean, 2); }},
+    {"number of polygons", [](const Aggregate& a) { return std::to_string(a.polygons); }},
+};
+
+FewRobotsRow make_row(const SetAggregates& set, const Measure& measure, std::uint32_t robots) {
+  FewRobotsRow row{measure.what, robots, {}};
+  for (const Method method : all_methods) {
+    const Aggregate* a = find(set.aggregates, method, robots);
+    row.cells.push_back(a ? measure.digits(*a) : "–");
+  }
+  return row;
+}
+
+}  // namespace
+
+FewRobots few_robots(const SetAggregates& set) {
+  FewRobots table{set.set, {}};
+  for (const Measure& measure : measures)
+    for (std::uint32_t robots = few_robots_from; robots <= few_robots_to; ++robots)
+      table.rows.push_back(make_row(set, measure, robots));
+  return table;
+}
+
+std::string few_robots_markdown(const std::vector<FewRobots>& sets) {
+  std::string text;
+  for (const FewRobots& set : sets) {
+    std::vector<std::string> heads = {markdown::cell(set.set), "robots"};
+    for (const Method method : all_methods) heads.emplace_back(name(method));
+    text += (text.empty() ? "" : "\n") + markdown::row(heads) +
+            markdown::row(std::vector<std::string>(heads.size(), "---"));
+    for (const FewRobotsRow& row : set.rows) {
+      std::vector<std::string> cells = {row.what, std::to_string(row.robots)};
+      cells.insert(cells.end(), row.cells.begin(), row.cells.end());
+      text += markdown::row(cells);
+    }
+  }
+  return text;
+}
+
+std::string few_robots_json(const std::vector<FewRobots>& sets) {
+  std::vector<std::string> tables;
+  for (const FewRobots& set : sets) {
+    std::vector<std::string> rows;
+    for (const FewRobotsRow& row : set.rows) {
+      std::vector<std::string> cells;
+      for (const std::string& cell : row.cells) cells.push_back(json::text(cell));
+      rows.push_back(json::object({{"what", json::text(row.what)},
+                                   {"robots", std::to_string(row.robots)},
+                                   {"cells", json::array(cells)}}));
+    }
+    tables.push_back(
+        json::object({{"set", json::text(set.set)}, {"rows", json::long_array(rows, 0)}}));
+  }
+  return json::long_array(tables, 0) + "\n";
 }
 
 }  // namespace evenlift::experiment

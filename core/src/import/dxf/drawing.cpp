@@ -1,13 +1,126 @@
-#include "import/dxf/drawing.h"
-
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
 #include "evenlift/numbers.h"
-#include "import/dxf/entity.h"
+#include "import/dxf/degrees.h"
+#include "import/dxf/drawing.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {
+namespace {
+
+std::optional<int> code_of(std::string_view line) {
+  const bool negative = !line.empty() && line[0] == '-';
+  const auto size = read_whole(negative ? line.substr(1) : line);
+  if (!size || *size > 9999) return std::nullopt;
+  return negative ? -static_cast<int>(*size) : static_cast<int>(*size);
+}
+
+}  // namespace
+
+std::optional<DxfGroup> DxfGroups::next() {
+  if (at_ >= text_.size()) return std::nullopt;
+  code_at_ = at_;
+  const std::optional<int> code = code_of(line());
+  if (!code) {
+    broken_ = true;
+    return std::nullopt;
+  }
+  const std::size_t offset = at_;
+  return DxfGroup{*code, line(), offset};
+}
+
+std::string_view DxfGroups::line() {
+  const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
+  const std::string_view found = text_.substr(at_, end - at_);
+  at_ = end;
+  if (at_ < text_.size() && text_[at_] == '\r') ++at_;
+  if (at_ < text_.size() && text_[at_] == '\n' && (at_ == end || text_[at_ - 1] == '\r')) ++at_;
+  return trimmed(found);
+}
+
+void DxfEntity::begin(std::string_view new_type) {
+  type = new_type;
+  groups.clear();
+  vertices.clear();
+  bad_number_.reset();
+}
+
+double DxfEntity::number(const DxfGroup& group) {
+  const std::optional<double> value = read_number(group.value);
+  if (value) return *value;
+  add_bad_number(group.offset);
+  return 0;
+}
+
+double DxfEntity::number_of(int code, double otherwise) {
+  for (const DxfGroup& group : groups)
+    if (group.code == code) return number(group);
+  return otherwise;
+}
+
+std::string_view DxfEntity::text_of(int code) const {
+  for (const DxfGroup& group : groups)
+    if (group.code == code) return group.value;
+  return {};
+}
+
+int DxfEntity::flags_of(int code) {
+  return static_cast<int>(std::clamp(number_of(code, 0), 0.0, 65535.0));
+}
+
+double DxfEntity::tilt() {
+  return std::max(std::abs(number_of(210, 0)), std::abs(number_of(220, 0)));
+}
+
+DxfEntity* DxfEntities::next() {
+  if (!begun_) advance();
+  begun_ = true;
+  if (too_long_ || !pending_) return nullptr;
+  for (const std::string_view end : {"ENDBLK", "BLOCK", "ENDSEC", "SECTION", "EOF"})
+    if (pending_->value == end) return nullptr;
+  entity_.begin(pending_->value);
+  read_groups(entity_);
+  if (entity_.type == "POLYLINE") read_vertices();
+  return too_long_ ? nullptr : &entity_;
+}
+
+std::optional<InputError> DxfEntities::error() const {
+  if (!too_long_) return std::nullopt;
+  return text_error(ErrorCode::too_many_vertices, "an object has too many vertices", text_,
+                    *too_long_);
+}
+
+// To the first group of the next object.
+void DxfEntities::advance() {
+  do {
+    pending_ = groups_.next();
+  } while (pending_ && pending_->code != 0);
+}
+
+bool DxfEntities::has_room(std::size_t count) {
+  if (count == max_dxf_groups && !too_long_) too_long_ = groups_.code_offset();
+  return !too_long_;
+}
+
+void DxfEntities::read_groups(DxfEntity& entity) {
+  while ((pending_ = groups_.next()) && pending_->code != 0) {
+    if (!has_room(entity.groups.size())) return;
+    entity.groups.push_back(*pending_);
+  }
+}
+
+void DxfEntities::read_vertices() {
+  while (pending_ && pending_->value == "VERTEX" && has_room(entity_.vertices.size())) {
+    vertex_.begin(pending_->value);
+    read_groups(vertex_);
+    entity_.vertices.push_back(
+        {vertex_.point_of(10), vertex_.number_of(42, 0), vertex_.flags_of()});
+    if (vertex_.bad_number()) entity_.add_bad_number(*vertex_.bad_number());
+  }
+}
+
 namespace {
 
 DxfUnit unit_of(double number) {
@@ -137,5 +250,35 @@ const DxfLayer* DxfDrawing::layer(std::string_view name) const { return found(la
 const DxfBlock* DxfDrawing::block(std::string_view name) const { return found(blocks, name); }
 
 Result<DxfDrawing> read_dxf_drawing(std::string_view text) { return DrawingReader(text).read(); }
+
+namespace {
+
+double count_of(DxfEntity& entity, int code) {
+  return std::floor(std::clamp(entity.number_of(code, 1), 1.0, 65535.0));
+}
+
+}  // namespace
+
+Affine DxfInsert::copy(double column, double row, const Vec2& base) const {
+  const Affine step{1, 0, 0, 1, column * column_step, row * row_step};
+  const Affine scale{scale_x, 0, 0, scale_y, 0, 0};
+  const Affine from_base{1, 0, 0, 1, -base.x, -base.y};
+  return place * step * scale * from_base;
+}
+
+DxfInsert read_dxf_insert(DxfEntity& entity) {
+  DxfInsert insert;
+  insert.block = entity.text_of(2);
+  insert.columns = count_of(entity, 70);
+  insert.rows = count_of(entity, 71);
+  insert.column_step = entity.number_of(44, 0);
+  insert.row_step = entity.number_of(45, 0);
+  insert.scale_x = entity.number_of(41, 1);
+  insert.scale_y = entity.number_of(42, 1);
+  const Vec2 at = entity.point_of(10), turn = direction_of(entity.number_of(50, 0));
+  insert.place = {turn.x, turn.y, -turn.y, turn.x, at.x, at.y};
+  if (entity.seen_from_behind()) insert.place = Affine{-1, 0, 0, 1, 0, 0} * insert.place;
+  return insert;
+}
 
 }  // namespace evenlift

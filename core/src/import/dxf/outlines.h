@@ -2,7 +2,7 @@
 #pragma once
 
 #include "curves/outline.h"
-#include "import/dxf/entity.h"
+#include "import/dxf/drawing.h"
 
 namespace evenlift {
 

@@ -1,6 +1,3 @@
-// Reads SVG 1.1, and the parts of SVG 2 that programs write: shapes with an area, with y upwards.
-// pugixml reads the XML; it expands only character references and XML's five entities, and loads
-// nothing. Entities that the file declares are replaced before (svg_entities.h).
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +11,269 @@
 #include "numbers/text_cursor.h"
 
 namespace evenlift {
+namespace {
+
+// A loop below this share of its shape is not intended.
+constexpr double hair = 1.0 / 200;
+// A curved part of a path is a speck if it is smaller than this share of the path: half of the
+// greatest default tolerance.
+constexpr double speck = 1.0 / 2000;
+// A hair has few pieces; a full turn has four or five.
+constexpr std::size_t most_pieces_of_a_hair = 8;
+
+bool is_near(const Vec2& a, const Vec2& b, double distance) {
+  return std::abs(a.x - b.x) <= distance && std::abs(a.y - b.y) <= distance;
+}
+
+bool is_same(const Affine& a, const Affine& b) {
+  return a.a == b.a && a.b == b.b && a.c == b.c && a.d == b.d && a.e == b.e && a.f == b.f;
+}
+
+bool stays_near(const CurvePiece& piece, const Vec2& start, double reach) {
+  using Kind = CurvePiece::Kind;
+  return is_near(piece.end, start, reach) &&
+         (piece.kind == Kind::line || is_near(piece.first, start, reach)) &&
+         (piece.kind != Kind::cubic || is_near(piece.second, start, reach));
+}
+
+// The end of the hair that begins at `first`, else `first`. A curve without length is not a hair: a
+// half-turn arc may end with one.
+std::size_t end_of_hair(const Outline& outline, std::size_t first, const Vec2& start, double reach,
+                        double meet) {
+  std::size_t end = first;
+  bool curved = false, leaves = false;
+  const std::size_t last = std::min(outline.pieces.size(), first + most_pieces_of_a_hair);
+  for (std::size_t i = first; i < last && stays_near(outline.pieces[i], start, reach); ++i) {
+    curved = curved || outline.pieces[i].kind != CurvePiece::Kind::line;
+    leaves = leaves || !stays_near(outline.pieces[i], start, meet);
+    if (curved && leaves && is_near(outline.pieces[i].end, start, meet)) end = i + 1;
+  }
+  return end;
+}
+
+// Drops closed parts of a path that vanish when curves are flattened. Returns their number.
+std::size_t drop_specks(std::vector<SvgOutline>& outlines) {
+  double side = 0;
+  for (const SvgOutline& each : outlines)
+    side = std::max(side, larger_side(control_box(each.outline)));
+  const auto is_speck = [&](const SvgOutline& each) {
+    const double most = (each.outline.curved() ? speck : same_point) * side;
+    return each.closed && !each.outline.pieces.empty() &&
+           larger_side(control_box(each.outline)) < most;
+  };
+  const auto rest = std::remove_if(outlines.begin(), outlines.end(), is_speck);
+  const auto dropped = static_cast<std::size_t>(outlines.end() - rest);
+  outlines.erase(rest, outlines.end());
+  return dropped;
+}
+
+}  // namespace
+
+std::size_t drop_hairs(Outline& outline, double reach, double meet) {
+  if (!outline.curved()) return 0;
+  std::vector<CurvePiece> kept;
+  std::size_t dropped = 0;
+  Vec2 at = outline.start;
+  for (std::size_t i = 0; i < outline.pieces.size();) {
+    const std::size_t end = end_of_hair(outline, i, at, reach, meet);
+    if (end > i) {
+      ++dropped;
+      i = end;
+      continue;
+    }
+    kept.push_back(outline.pieces[i++]);
+    at = kept.back().end;
+  }
+  outline.pieces = std::move(kept);
+  return dropped;
+}
+
+std::string_view label_of(const pugi::xml_node& node) {
+  // Inkscape, Illustrator and Affinity.
+  for (const char* attribute : {"inkscape:label", "data-name", "serif:id"})
+    if (const std::string_view label = value_of(node, attribute); !label.empty()) return label;
+  return {};
+}
+
+std::string_view own_name(const pugi::xml_node& node) {
+  if (const std::string_view label = label_of(node); !label.empty()) return label;
+  int left = 8;  // the title is one of the first children
+  for (pugi::xml_node child = node.first_child(); child && left > 0;
+       child = child.next_sibling(), --left)
+    if (local_name(child) == "title" && *child.child_value() != 0) return child.child_value();
+  return value_of(node, "id");
+}
+
+// The name of the copy, else of the element, else of the layer.
+std::string SvgReader::called(const pugi::xml_node& node, const Context& context) const {
+  std::string_view name = context.name_of_copy;
+  if (name.empty()) name = own_name(node);
+  return std::string(name.empty() ? context.layer : name);
+}
+
+std::optional<std::optional<double>> SvgReader::length(const pugi::xml_node& node,
+                                                       const Context& context,
+                                                       const char* attribute) {
+  const std::string_view name = attribute, of_width[] = {"x", "cx", "x1", "x2", "width", "rx"},
+                         of_height[] = {"y", "cy", "y1", "y2", "height", "ry"};
+  const auto is_in = [&](const auto& names) {
+    return std::find(std::begin(names), std::end(names), name) != std::end(names);
+  };
+  const auto& [width, height] = context.viewport;
+  std::optional<double> whole;
+  if (is_in(of_width))
+    whole = width;
+  else if (is_in(of_height))
+    whole = height;
+  else if (width && height)
+    whole = std::sqrt((*width * *width + *height * *height) / 2);
+  return checked(node, attribute, svg_length(value_of(node, attribute), whole));
+}
+
+// Without hairs, in the import's coordinates.
+Outline SvgReader::placed(const Outline& outline, const Context& context) {
+  Outline image = transformed(outline, context.matrix);
+  const double side = larger_side(control_box(image));
+  // At most a tenth, so that no tolerance makes the whole outline a hair.
+  const double reach = std::clamp(options_.tolerance.value_or(0), hair * side, side / 10);
+  hairs_ += drop_hairs(image, reach, same_point * side);
+  return image;
+}
+
+Fill SvgReader::fill_of(const Context& context) {
+  if (!context.look.is_filled()) return Fill::none;
+  return context.look.nonzero ? Fill::nonzero : Fill::even_odd;
+}
+
+void SvgReader::add(const Outline& outline, const Context& context, const std::string& called,
+                    const char* kind) {
+  gathering_.add({{placed(outline, context)}, called, kind, fill_of(context)});
+}
+
+void SvgReader::add_open(const Outline& outline, const Context& context) {
+  if (outline.pieces.empty()) return;
+  piece_points_ += outline.pieces.size();
+  pieces_.push_back(
+      {placed(outline, context), std::string(context.layer), context.look.is_filled()});
+}
+
+void SvgReader::path(const pugi::xml_node& node, const Context& context,
+                     const std::string& called) {
+  auto outlines = checked(node, "path", svg_path(value_of(node, "d")));
+  if (!outlines) return;
+  hairs_ += drop_specks(*outlines);
+  DrawnShape drawn{{}, called, "path", fill_of(context)};
+  for (const auto& [outline, closed] : *outlines) {
+    const double meet = same_point * larger_side(control_box(outline));
+    if (!closed && !is_near(outline.start, outline.end(), meet))
+      add_open(outline, context);
+    else if (closed || !outline.pieces.empty())  // otherwise a move alone
+      drawn.parts.push_back(placed(outline, context));
+  }
+  gathering_.add(drawn);
+}
+
+void SvgReader::points(const pugi::xml_node& node, const Context& context,
+                       const std::string& called, bool closed) {
+  const char* what = closed ? "polygon" : "polyline";
+  const auto values = checked(node, what, svg_numbers(value_of(node, "points")));
+  if (!values) return;
+  if (values->size() % 2 != 0)
+    return problem(node, say("the SVG's {part}: the last point has no y", {what}));
+  if (values->empty()) return;
+  Outline outline;
+  outline.start = {(*values)[0], (*values)[1]};
+  for (std::size_t i = 2; i < values->size(); i += 2)
+    outline.line_to({(*values)[i], (*values)[i + 1]});
+  const double meet = same_point * larger_side(control_box(outline));
+  if (closed || is_near(outline.start, outline.end(), meet))
+    add(outline, context, called, what);
+  else
+    add_open(outline, context);
+}
+
+void SvgReader::line(const pugi::xml_node& node, const Context& context) {
+  const auto x1 = length(node, context, "x1"), y1 = length(node, context, "y1"),
+             x2 = length(node, context, "x2"), y2 = length(node, context, "y2");
+  if (!x1 || !y1 || !x2 || !y2) return;
+  Outline outline;
+  outline.start = {x1->value_or(0), y1->value_or(0)};
+  const Vec2 end(x2->value_or(0), y2->value_or(0));
+  if (end == outline.start) return;
+  outline.line_to(end);
+  add_open(outline, context);
+}
+
+void SvgReader::rectangle(const pugi::xml_node& node, const Context& context,
+                          const std::string& called) {
+  const auto x = length(node, context, "x"), y = length(node, context, "y"),
+             width = length(node, context, "width"), height = length(node, context, "height"),
+             rx = length(node, context, "rx"), ry = length(node, context, "ry");
+  if (!x || !y || !width || !height || !rx || !ry) return;
+  const double left = x->value_or(0), bottom = y->value_or(0), w = width->value_or(0),
+               h = height->value_or(0);
+  if (!(w > 0) || !(h > 0)) return;
+  // A missing radius equals the other one.
+  double a = std::min(rx->value_or(ry->value_or(0)), w / 2);
+  double b = std::min(ry->value_or(rx->value_or(0)), h / 2);
+  if (!(a > 0) || !(b > 0)) a = b = 0;
+  const double right = left + w, top = bottom + h;
+  Outline outline;
+  outline.start = {left + a, bottom};
+  outline.line_to({right - a, bottom});
+  if (a > 0) outline.quarter_to({right, bottom}, {right, bottom + b});
+  outline.line_to({right, top - b});
+  if (a > 0) outline.quarter_to({right, top}, {right - a, top});
+  outline.line_to({left + a, top});
+  if (a > 0) outline.quarter_to({left, top}, {left, top - b});
+  outline.line_to({left, bottom + b});
+  if (a > 0) outline.quarter_to({left, bottom}, outline.start);
+  add(outline, context, called, a > 0 ? "rectangle with round corners" : "rectangle");
+}
+
+void SvgReader::ellipse(const pugi::xml_node& node, const Context& context,
+                        const std::string& called, bool circle) {
+  const auto x = length(node, context, "cx"), y = length(node, context, "cy"),
+             rx = length(node, context, circle ? "r" : "rx"),
+             ry = length(node, context, circle ? "r" : "ry");
+  if (!x || !y || !rx || !ry) return;
+  const double a = rx->value_or(ry->value_or(0)), b = ry->value_or(rx->value_or(0));
+  if (!(a > 0) || !(b > 0)) return;
+  add(Outline::ellipse({a, 0, 0, b, x->value_or(0), y->value_or(0)}), context, called,
+      circle ? "circle" : "ellipse");
+}
+
+// Whether a path with only a stroke repeats the preceding path, which has only a fill, as
+// LibreOffice writes shapes.
+bool SvgReader::is_stroke_of_filled(const pugi::xml_node& node, const Context& context) {
+  const std::string_view d = value_of(node, "d");
+  const bool strokes = context.look.is_stroked() && !context.look.is_filled();
+  const bool same =
+      strokes && is_same(filled_.matrix, context.matrix) && filled_.d == d && !d.empty();
+  filled_ = {};
+  if (context.look.is_filled() && !context.look.is_stroked()) filled_ = {d, context.matrix};
+  return same;
+}
+
+void SvgReader::shape(const pugi::xml_node& node, const Context& context, std::string_view name) {
+  if (is_stroke_of_filled(node, context)) return;
+  const std::string name_of_it = called(node, context);
+  if (name == "path")
+    path(node, context, name_of_it);
+  else if (name == "rect")
+    rectangle(node, context, name_of_it);
+  else if (name == "circle" || name == "ellipse")
+    ellipse(node, context, name_of_it, name == "circle");
+  else if (name == "line")
+    line(node, context);
+  else
+    points(node, context, name_of_it, name == "polygon");
+}
+
+// --- Reads SVG 1.1, and the parts of SVG 2 that programs write: shapes with an area, with y upwards.
+// pugixml reads the XML; it expands only character references and XML's five entities, and loads
+// nothing. Entities that the file declares are replaced before (svg_entities.h).
+
 namespace {
 
 // A node costs pugixml up to 64 bytes.

@@ -14,14 +14,8 @@
 #include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
-#include "output/svg/svg_bodies.h"
 #include "output/svg/svg_caption.h"
-#include "output/svg/svg_cargo.h"
-#include "output/svg/svg_carrying.h"
-#include "output/svg/svg_markup.h"
-#include "output/svg/svg_paper.h"
-#include "output/svg/svg_stands.h"
-#include "output/svg/svg_style.h"
+#include "output/svg/svg_parts.h"
 
 namespace evenlift {
 namespace svg {

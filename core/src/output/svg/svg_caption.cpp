@@ -5,10 +5,7 @@
 
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/wording.h"
-#include "output/svg/svg_cargo.h"
-#include "output/svg/svg_carrying.h"
-#include "output/svg/svg_markup.h"
-#include "output/svg/svg_style.h"
+#include "output/svg/svg_parts.h"
 
 namespace evenlift::svg {
 namespace {
