@@ -1,3 +1,5 @@
+#include "evenlift/link.h"
+
 #include <algorithm>
 
 #include "commands/commands.h"
@@ -5,7 +7,6 @@
 #include "evenlift/formats.h"
 #include "evenlift/generate.h"
 #include "evenlift/lesson_link.h"
-#include "evenlift/link.h"
 #include "evenlift/output/json.h"
 #include "evenlift/output/trace_json.h"
 #include "evenlift/placement.h"

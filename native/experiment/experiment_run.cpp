@@ -1,3 +1,5 @@
+#include "experiment/experiment_run.h"
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -6,7 +8,6 @@
 #include <mutex>
 #include <numeric>
 
-#include "experiment/experiment_run.h"
 #include "input/files.h"
 
 namespace evenlift::native {

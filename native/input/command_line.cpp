@@ -1,9 +1,10 @@
+#include "input/command_line.h"
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 
 #include "evenlift/closest_name.h"
-#include "input/command_line.h"
 #include "input/failure.h"
 #include "input/files.h"
 

@@ -1,3 +1,5 @@
+#include "input/files.h"
+
 #include <sys/stat.h>
 #include <algorithm>
 #include <cerrno>
@@ -12,7 +14,6 @@
 #include "evenlift/link.h"
 #include "evenlift/numbers.h"
 #include "input/failure.h"
-#include "input/files.h"
 #include "input/polygon_files.h"
 #include "input/shapes.h"
 

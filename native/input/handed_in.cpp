@@ -1,3 +1,5 @@
+#include "input/handed_in.h"
+
 #include <algorithm>
 #include <iterator>
 #include <optional>
@@ -11,7 +13,6 @@
 #include "evenlift/task.h"
 #include "input/failure.h"
 #include "input/files.h"
-#include "input/handed_in.h"
 
 namespace evenlift::native {
 namespace {

@@ -1,3 +1,5 @@
+#include "print/table.h"
+
 #include <algorithm>
 #include <tuple>
 
@@ -7,7 +9,6 @@
 #include "evenlift/output/words.h"
 #include "input/failure.h"
 #include "input/options.h"
-#include "print/table.h"
 
 namespace evenlift::native {
 

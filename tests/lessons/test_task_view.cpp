@@ -1,4 +1,4 @@
-#include "app/open_lesson.h"
+#include "app/opening.h"
 #include "kit/catch.h"
 #include "view/view_page.h"
 

@@ -6,7 +6,6 @@
 #include "app/update.h"
 #include "derive/robots_text.h"
 #include "edits/open_document.h"
-#include "edits/sight.h"
 #include "evenlift/balanced.h"
 #include "evenlift/link.h"
 #include "evenlift/main_steps.h"

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "actions/actions.h"
-#include "actions/key_list.h"
 #include "kit/catch.h"
 #include "state/history.h"
 #include "state/layout.h"

@@ -8,20 +8,17 @@
 #include <utility>
 #include <vector>
 
-#include "edits/backdrop.h"
+#include "edits/vertices.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
 #include "evenlift/plane.h"
 #include "evenlift/polygon_with_holes.h"
-#include "marks/cargo.h"
 #include "marks/load_labels.h"
+#include "marks/object.h"
 #include "picture/canvas_view.h"
-#include "picture/fill_rows.h"
-#include "picture/heat.h"
 #include "picture/scene.h"
 #include "picture/triangulate.h"
 #include "state/opened.h"
-#include "tools/handles.h"
 #include "tools/pick.h"
 #include "view/view_page.h"
 

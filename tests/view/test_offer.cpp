@@ -1,6 +1,6 @@
 #include <string>
 
-#include "edits/sight.h"
+#include "edits/open_document.h"
 #include "evenlift/output/verdict.h"
 #include "evenlift/output/words.h"
 #include "kit/catch.h"

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/open_lesson.h"
-#include "edits/try_edit.h"
+#include "app/opening.h"
+#include "edits/undo.h"
 #include "evenlift/generate.h"
 #include "evenlift/link.h"
 #include "kit/catch.h"

@@ -16,7 +16,7 @@
 #include "app/conclude.h"
 #include "app/update.h"
 #include "edits/open_document.h"
-#include "edits/try_edit.h"
+#include "edits/undo.h"
 #include "evenlift/formats.h"
 #include "kit/catch.h"
 #include "state/opened.h"

@@ -9,11 +9,23 @@
 #include "evenlift/wording.h"
 #include "state/method.h"
 #include "tools/drawing.h"
-#include "tools/handles.h"
+#include "tools/pick.h"
 #include "tools/transform.h"
 #include "walkthrough/timeline.h"
 
 namespace evenlift::view {
+
+std::vector<const Action*> key_list(bool embed) {
+  std::vector<const Action*> list;
+  for (const Action& a : actions()) {
+    const bool left_out = embed && (a.group < Group::view || a.enabled == when::editing);
+    if (*a.shown && !left_out) list.push_back(&a);
+  }
+  std::stable_sort(list.begin(), list.end(),
+                   [](const Action* a, const Action* b) { return a->group < b->group; });
+  return list;
+}
+
 namespace {
 
 // With "max" teams, one step down begins at the number placed.

@@ -54,4 +54,7 @@ std::string tip(const Action& action, const AppState& state);
 // Returns the enabled action of a key. If it returns null, the browser handles the key.
 const Action* action_for(const AppState& state, const Key& key);
 
+// The actions with a key, by group. With `embed`, only the actions that work in an <iframe>.
+std::vector<const Action*> key_list(bool embed);
+
 }  // namespace evenlift::view

@@ -2,7 +2,7 @@
 
 #include "evenlift/moved.h"
 #include "tools/drawing.h"
-#include "tools/handles.h"
+#include "tools/pick.h"
 #include "walkthrough/timeline.h"
 
 namespace evenlift::view::when {

@@ -1,15 +1,87 @@
 #include "app/opening.h"
 
+#include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "app/conclude.h"
+#include "derive/derive.h"
 #include "edits/open_document.h"
+#include "edits/undo.h"
+#include "evenlift/formats.h"
+#include "evenlift/lesson.h"
 #include "evenlift/link.h"
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
+#include "state/notice.h"
 #include "state/opened.h"
+#include "state/screen.h"
+#include "walkthrough/script.h"
+#include "walkthrough/timeline.h"
+#include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
+namespace {
+
+// If the document changes to the second method, the two methods are swapped: two pictures of one
+// method would not differ.
+void part_methods(AppState& state) {
+  const Method now = settings(state).method, former = state.derived().placed.settings.method;
+  std::optional<Method>& second = state.work.second_method;
+  if (second == now) second = former == now ? std::nullopt : std::optional<Method>(former);
+}
+
+std::string refusal_in_words(const AppState& state) {
+  const std::optional<InputError>& refusal = state.derived().refusal;
+  return refusal ? sentence(*refusal) : std::string();
+}
+
+// The end of a refusal only withdraws its announcement, before others follow.
+void tell_of_refusal(AppState& state, const std::string& before) {
+  const std::string now = refusal_in_words(state);
+  if (now == before) return;
+  Effects& effects = state.session.effects;
+  effects.insert(now.empty() ? effects.begin() : effects.end(), Announce{now});
+}
+
+// Reports at rest that the teams are not swapped, because that takes too long.
+void tell_of_no_swap(AppState& state) {
+  const Derived& facts = state.derived();
+  if (!facts.placement || facts.refusal || state.work.edit_open) return;
+  if (!state.session.notice.text.empty()) return;  // the command's own notice
+  if (!waits_for_swap(*facts.placement)) return;
+  show(state,
+       {Notice::Kind::info, say("The teams are not swapped here until they hold: with {candidates} "
+                                "candidates that would take too long. The program does it.",
+                                {facts.placement->candidates.size()})});
+}
+
+}  // namespace
+
+void conclude(AppState& state) {
+  const Derived& facts = state.derived();
+  const Basis before = facts.basis;
+  const RobotSize robot = facts.placed.settings.robot;
+  const std::string refusal = refusal_in_words(state);
+  if (state.work.edits() != before.edits) part_methods(state);
+  derive(state);
+  // The view makes room for larger robots.
+  if (state.view.camera_follows && !(facts.placed.settings.robot == robot))
+    state.view.fit_due = true;
+  tell_of_refusal(state, refusal);
+  if (facts.basis.edits != before.edits || before.haste == Haste::drag) tell_of_no_swap(state);
+  follow_trace(state);
+  scale_screen(state);
+}
+
+void place_now(AppState& state) {
+  if (!state.derived().elsewhere.under_way) return;
+  state.given.at_once = true;
+  conclude(state);
+}
+
 namespace {
 
 std::optional<Document> work_before(std::string_view work) {
@@ -49,6 +121,114 @@ std::string open_page(AppState& state, const LastVisit& visit, std::string_view 
     conclude(state);
   }
   return problem;
+}
+
+namespace {
+
+// Begins a script for the open document, or joins its walkthrough at the present step.
+std::optional<InputError> join(AppState& state, Script script) {
+  if (state.derived().refusal || !state.derived().placement ||
+      state.work.document().vertices != script.of.vertices)
+    return InputError{ErrorCode::bad_syntax, "it is about another polygon than the link", {}};
+  const bool begins = !walkthrough_is_open(state);
+  open_walkthrough(state);
+  conclude(state);
+  if (!walkthrough_is_open(state)) return std::nullopt;  // a notice explains why
+  begin_script(state, std::move(script));
+  if (begins) go_to_step(state, step_of(state, 0));
+  state.view.walkthrough.of_lesson = true;
+  return std::nullopt;
+}
+
+// A preview replaces the previous one.
+void open_anew(AppState& state, Opened of_it, bool preview) {
+  const std::optional<Script>& script = state.view.walkthrough.script;
+  const std::optional<OpenTask>& task = state.view.task;
+  if (preview && ((script && script->preview) || (task && task->preview))) {
+    show_opened(state, std::move(of_it));
+  } else {
+    leave_lesson_for_another(state);
+    open(state, std::move(of_it), Edit::lesson_opened);
+  }
+  conclude(state);
+}
+
+// The lesson's settings that no document contains.
+void show_as(AppState& state, const Lesson& lesson) {
+  if (lesson.loads) state.view.load_model = *lesson.loads;
+  if (lesson.failed) state.view.fails.ask(lesson.failed);
+}
+
+void begin_task(AppState& state, OpenTask task) {
+  task.depth = state.work.history.depth();
+  if (state.view.presenting) state.view.panel_open = false;
+  state.view.task = std::move(task);
+}
+
+// A lesson without steps: its object and its task. A joined task must be about the open document's
+// shape, unless that may be changed.
+std::optional<InputError> open_task(AppState& state, OpenTask task, Opened of_it,
+                                    LessonStart start) {
+  const std::vector<Movable>& may = task.lesson.task->may;
+  const bool same_shape = state.work.document().vertices == of_it.document.vertices;
+  const bool other_shape = std::find(may.begin(), may.end(), Movable::vertices) != may.end();
+  if (start == LessonStart::join && !same_shape && !other_shape)
+    return InputError{ErrorCode::bad_syntax, "it is about another polygon than the link", {}};
+  if (start != LessonStart::join) {
+    open_anew(state, std::move(of_it), task.preview);
+    show_as(state, task.lesson);
+  }
+  begin_task(state, std::move(task));
+  state.view.challenge = true;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<InputError> open_lesson(AppState& state, const std::string& text,
+                                      const std::string& polygon, LessonStart start,
+                                      std::uint64_t number) {
+  Result<Lesson> lesson = parse_lesson(text);
+  if (!lesson) return lesson.error();
+  Document sample;
+  if (!lesson->polygon.empty()) {
+    Result<Document> read = read_polygon(polygon);
+    if (!read) return read.error();
+    sample = std::move(read).value();
+  }
+  Result<Exercise> begun = exercise(*lesson, sample, number);
+  if (!begun) return at_line(begun.error(), *lesson);
+  Result<Opened> of_it = opened(begun->start);
+  if (!of_it) return at_line(of_it.error(), *lesson);
+  const bool preview = start == LessonStart::preview;
+  if (lesson->steps.empty())
+    return open_task(state, {*std::move(lesson), *std::move(begun), number, preview},
+                     *std::move(of_it), start);
+  Result<Trace> trace = compute_trace(of_it->placement, of_it->document.shown.units);
+  if (!trace) return at_line(trace.error(), *lesson);
+  if (auto problem = check_lesson(*lesson, *trace)) return problem;
+  Script script;
+  script.lesson = std::move(lesson).value();
+  script.of = of_it->document;
+  std::optional<OpenTask> task;
+  if (script.lesson.task) task = {script.lesson, *std::move(begun), number, preview};
+  if (start == LessonStart::join) {
+    if (auto problem = join(state, std::move(script))) return problem;
+    if (task) begin_task(state, *std::move(task));
+    return std::nullopt;
+  }
+  script.preview = preview;
+  const std::optional<std::uint32_t> first = find_step(*trace, script.lesson.steps[0].address);
+  of_it->placement = trace->placement;  // for balanced robots, with the result of their search
+  of_it->document.shown.step = first;
+  of_it->trace = std::move(trace).value();
+  open_anew(state, *std::move(of_it), preview);
+  show_as(state, script.lesson);
+  begin_script(state, std::move(script));
+  state.view.walkthrough.of_lesson = true;
+  if (task) begin_task(state, *std::move(task));
+  conclude(state);
+  return std::nullopt;
 }
 
 }  // namespace evenlift::view

@@ -1,4 +1,4 @@
-#include "app/opening_sample.h"
+#include "app/opening.h"
 
 namespace evenlift::view {
 

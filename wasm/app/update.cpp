@@ -6,20 +6,19 @@
 #include <utility>
 
 #include "app/conclude.h"
-#include "edits/backdrop.h"
+#include "app/set_settings.h"
 #include "edits/by_hand.h"
-#include "edits/changed_settings.h"
-#include "edits/draw_polygon.h"
-#include "edits/editing.h"
 #include "edits/open_document.h"
-#include "edits/sight.h"
-#include "edits/supports.h"
 #include "edits/undo.h"
 #include "edits/vertices.h"
 #include "evenlift/link.h"
 #include "evenlift/moved.h"
 #include "evenlift/output/words.h"
+#include "evenlift/placement.h"
+#include "evenlift/settings.h"
+#include "evenlift/similar_setting.h"
 #include "evenlift/wording.h"
+#include "state/command.h"
 #include "state/layout.h"
 #include "state/method.h"
 #include "state/notice.h"
@@ -31,6 +30,65 @@
 #include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
+
+std::shared_ptr<AnyCommand> Command::owned(AnyCommand* command) {
+  return std::shared_ptr<AnyCommand>(command);
+}
+
+namespace {
+
+template <class Value, class Read>
+std::optional<InputError> take(Setting setting, const Read& read, Value& value) {
+  if (!read) return setting_error(setting);
+  value = *read;
+  return std::nullopt;
+}
+
+std::optional<InputError> read(Setting setting, std::string_view text, Changeable& changed) {
+  switch (setting) {
+    case Setting::loads:
+      return take(setting, load_model_from_name(text), changed.load_model);
+    case Setting::failed:
+      return take(setting, read_failed(text), changed.failed);
+    default:
+      return read_setting(setting, text, changed.document);
+  }
+}
+
+}  // namespace
+
+Result<Changeable> with_settings(Changeable given, std::string_view lines) {
+  while (!lines.empty()) {
+    const std::size_t end = lines.find('\n');
+    const std::string_view line = lines.substr(0, end);
+    lines.remove_prefix(end == std::string_view::npos ? lines.size() : end + 1);
+    const std::size_t equals = line.find('=');
+    const std::string_view name = line.substr(0, equals);
+    const std::optional<Setting> setting = setting_from_name(name);
+    if (!setting || equals == std::string_view::npos)
+      return InputError{ErrorCode::bad_setting,
+                        unknown_setting(name),
+                        {Place::Kind::option, 0, 0, std::string(name)}};
+    if (auto error = read(*setting, line.substr(equals + 1), given)) return *error;
+  }
+  if (const auto error = check_settings(given.document.settings, given.document.shown))
+    return *error;
+  return given;
+}
+
+std::string kept_text(const Kept& kept) { return kept.motion ? "motion=1\n" : "motion=0\n"; }
+
+Kept read_kept(std::string_view lines) {
+  Kept kept;
+  while (!lines.empty()) {
+    const std::size_t end = lines.find('\n');
+    const std::string_view line = lines.substr(0, end);
+    lines.remove_prefix(end == std::string_view::npos ? lines.size() : end + 1);
+    if (line.starts_with("motion=")) kept.motion = line != "motion=0";
+  }
+  return kept;
+}
+
 namespace {
 
 void open_own_steps(AppState& state, std::optional<std::uint32_t> at = std::nullopt) {

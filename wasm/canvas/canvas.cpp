@@ -9,12 +9,11 @@
 #include "canvas/hint.h"
 #include "evenlift/candidates.h"
 #include "evenlift/moved.h"
-#include "marks/carrying.h"
 #include "marks/marks.h"
+#include "marks/object.h"
 #include "marks/tool_marks.h"
 #include "picture/canvas_view.h"
 #include "picture/painter.h"
-#include "tools/handles.h"
 #include "tools/pick.h"
 
 namespace evenlift::view {

@@ -1,8 +1,11 @@
 #include "derive/derive.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "derive/elsewhere.h"
 #include "derive/offer.h"
@@ -11,10 +14,137 @@
 #include "derive/search.h"
 #include "evenlift/output/words.h"
 #include "evenlift/settings.h"
+#include "state/method.h"
 #include "state/opened.h"
 #include "walkthrough/explain.h"
 
 namespace evenlift::view {
+namespace {
+
+// The candidates of any load ratio.
+Result<std::vector<Candidate>> all_candidates(const Placement& placement) {
+  const Polygon& polygon = placement.polygon();
+  if (!placement.stands) return find_candidates(polygon, placement.centre_of_mass, 0);
+  auto found = standing_candidates(polygon, placement.centre_of_mass, 0, *placement.stands);
+  if (!found) return found.error();
+  return std::move(found->candidates);
+}
+
+// The number of balanced robots to compare with the placement.
+std::uint32_t robots_beside(const Derived& facts, std::uint32_t teams) {
+  return facts.placed.settings.method == Method::given
+             ? static_cast<std::uint32_t>(facts.placed.settings.supports.size())
+             : 2 * teams;
+}
+
+}  // namespace
+
+Document by_other_method(const Derived& facts, Method method) {
+  Document document = facts.placed;
+  document.moved = {};
+  const std::uint32_t teams = placed_teams(facts.placement);
+  Settings& settings = document.settings;
+  if (!settings.teams || is_one_team(settings.method)) settings.teams = teams;
+  if (method == Method::balanced)
+    settings.robots = std::clamp(robots_beside(facts, teams), fewest_robots(settings), most_robots);
+  settings = with_method(settings, method, teams);
+  return document;
+}
+
+std::optional<double> best_ratio_if_none(const Placement& placement) {
+  if (!placement.teams.empty() || !selects_candidates(placement.settings.method))
+    return std::nullopt;
+  const auto any = all_candidates(placement);
+  if (!any || any->empty()) return std::nullopt;
+  double best = 0;
+  for (const Candidate& c : *any) best = std::max(best, c.chord.ratio);
+  // To two decimals, like the slider's values.
+  return std::floor(best * 100) / 100;
+}
+
+void renew_second(Derived& facts, const Work& work, Haste haste) {
+  facts.second.reset();
+  if (!work.second_method) return;
+  const Document document = by_other_method(facts, *work.second_method);
+  if (Result<Placement> placement = compute_placement(document, facts.placement, haste))
+    facts.second = std::move(placement).value();
+}
+
+void adopt(Derived& facts, const Document& document, Result<Placement> placement) {
+  if (!placement) {
+    facts.refusal = placement.error();
+    return;
+  }
+  facts.plan_due |= !facts.placement || !same_plan(*facts.placement, *placement);
+  facts.placement = std::move(placement).value();
+  facts.placed = document;
+  facts.refusal.reset();
+}
+
+namespace {
+
+// The others share the weight by springs, whichever model is shown.
+Report report_of(const Placement& placement, const Failure& failure, const Shown& shown) {
+  const Disturbance disturbance = disturbance_of(shown);
+  const bool stays = failure.rest && failure.rest->stays;
+  auto loads = disturbance.any() && stays ? ranges_without(placement, failure.robot, disturbance)
+                                          : std::nullopt;
+  return report_of_failure({failure.placement, shown}, failure.robot, failure.rest,
+                           std::move(loads).value_or(std::vector<LoadRange>()));
+}
+
+// A millisecond or two at most, for each frame of a drag.
+bool is_quick(const Placement& placement) {
+  return count_robots(placement.teams) <= 16 && placement.vertices().size() <= 2000;
+}
+
+}  // namespace
+
+void renew_reports(Derived& facts, LoadModel model, const Shown& shown) {
+  if (!facts.placement) return;
+  const ShownPlacement of(*facts.placement, shown);
+  Report report = evenlift::report_of(of, {.model = model});
+  if (!facts.failures_due && !facts.report.failures.empty()) {
+    report.failures = std::move(facts.report.failures);
+    if (report.has_capacities) report.overloads_after = overloads_after(of, report.failures);
+  }
+  facts.report = std::move(report);
+  facts.second_report =
+      facts.second ? evenlift::report_of({*facts.second, shown}, {.model = model}) : Report{};
+  if (facts.failure) facts.failure->report = report_of(*facts.placement, *facts.failure, shown);
+}
+
+void renew_failures(Derived& facts, const Shown& shown, bool move) {
+  if (!facts.failures_due || !facts.placement || facts.refusal) return;
+  const Placement& placement = *facts.placement;
+  if (move && !is_quick(placement)) return;
+  facts.failures_due = false;
+  facts.report.failures.clear();
+  if (count_robots(placement.teams) <= most_failures_known)
+    complete(facts.report, {placement, shown},
+             {.model = facts.report.known.model, .failures = true});
+}
+
+void tell_plans(Derived& facts) {
+  facts.report.plan = facts.plan_due ? std::nullopt : facts.plan;
+  facts.report.if_one_fails = facts.plan_due ? std::nullopt : facts.spare;
+  if (facts.failure) facts.failure->report.plan = facts.report.plan;
+}
+
+void let_fail(Derived& facts, std::size_t robot, const Shown& shown) {
+  facts.failure.reset();
+  const Placement& placement = *facts.placement;
+  if (robot >= count_robots(placement.teams)) return;
+  const bool known = robot < facts.report.failures.size();
+  Failure failure{robot,
+                  known ? facts.report.failures[robot]
+                        : single_failure(placement, robot, disturbance_of(shown)),
+                  with_failure(placement, robot),
+                  {}};
+  failure.report = report_of(placement, failure, shown);
+  facts.failure = std::move(failure);
+}
+
 namespace {
 
 class Derivation {

@@ -1,15 +1,184 @@
 #include "edits/by_hand.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
 #include <utility>
 
-#include "edits/editing.h"
+#include "edits/undo.h"
 #include "evenlift/moved.h"
+#include "evenlift/output/words.h"
 #include "evenlift/plane.h"
 #include "evenlift/stands.h"
+#include "evenlift/supports.h"
+#include "evenlift/wording.h"
+#include "state/method.h"
 #include "state/notice.h"
 #include "tools/shorter_way.h"
+#include "tools/support_spots.h"
 
 namespace evenlift::view {
+namespace {
+
+using Capacities = std::vector<std::optional<double>>;
+
+bool has_robots(const AppState& state) {
+  return !state.derived().refusal && state.derived().placement;
+}
+
+// "Back to Area".
+std::string way_back(Method method) {
+  std::string name = method_in_words(method);
+  if (name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
+  return say("Back to {method}", {name});
+}
+
+// Returns the document, with the method `given`.
+Document& edit_supports(AppState& state, bool live) {
+  const Placement& placement = *state.derived().placement;
+  const Method before = settings(state).method;
+  Settings own = taken_over(settings(state), placement);
+  const bool goes_on = live && state.work.edit_open;  // then the notice of its beginning stays
+  Document& document = goes_on ? state.work.edit() : edit(state, live, Edit::robots_moved);
+  state.given = {};
+  document.settings = std::move(own);
+  if (before == Method::given) return document;
+  state.work.show().support_capacities.clear();
+  show(state, {Notice::Kind::info, "The robots now stand where you put them.", way_back(before)});
+  return document;
+}
+
+void remove_capacity(Capacities& capacities, std::size_t robot) {
+  if (robot < capacities.size())
+    capacities.erase(capacities.begin() + static_cast<std::ptrdiff_t>(robot));
+  if (std::none_of(capacities.begin(), capacities.end(),
+                   [](const auto& c) { return c.has_value(); }))
+    capacities.clear();
+}
+
+// Places the document here and notes the moved robot, so that its card stays open.
+void hand_over(AppState& state, std::size_t robot) {
+  const Document& document = state.work.document();
+  Result<Placement> placed =
+      place(state.derived().placement->object, document.centre_of_mass, document.settings);
+  if (!placed) return;
+  state.given.placement = std::move(placed).value();
+  state.given.moved = {robot, robot};
+}
+
+}  // namespace
+
+Settings taken_over(Settings settings, const Placement& placement) {
+  if (settings.method == Method::given) return settings;
+  const auto teams = static_cast<std::uint32_t>(placement.teams.size());
+  settings = with_method(std::move(settings), Method::given, std::max(teams, 1u));
+  settings.supports = positions(contact_points(placement));
+  // Without robots, one at each of three hull corners.
+  const Points& hull = placement.polygon().hull();
+  for (std::size_t i = 0; settings.supports.empty() || (placement.teams.empty() && i < 3); ++i)
+    settings.supports.push_back(hull[i]);
+  if (settings.supports.size() > most_supports) settings.supports.resize(most_supports);
+  return settings;
+}
+
+bool stands_freely(const Placement& placement) {
+  if (placement.settings.method == Method::given) return true;
+  return !can_move_teams(placement) &&
+         !(placement.settings.method == Method::balanced && count_robots(placement.teams) >= 3);
+}
+
+void move_support(AppState& state, std::size_t robot, const Vec2& to) {
+  if (!has_robots(state) || state.derived().placement->teams.empty()) return;
+  const bool was_away = state.view.away.has_value();
+  const auto spot = support_spot(state, to, was_away ? std::nullopt : std::optional(robot));
+  // In a challenge all robots stay: one dragged out waits where it last could stand.
+  if (!spot && state.view.challenge && !state.view.task) return;
+  if (!spot && (was_away || count_robots(state.derived().placement->teams) == 1)) {
+    if (was_away) state.view.away->at = to;
+    return;
+  }
+  Document& document = edit_supports(state, true);
+  Points& supports = document.settings.supports;
+  Capacities& capacities = state.work.show().support_capacities;
+  if (robot > supports.size() - (was_away ? 0 : 1)) return;
+  const auto index = static_cast<std::ptrdiff_t>(robot);
+  if (!spot) {
+    const bool has_own = robot < capacities.size();
+    state.view.away = {to, has_own ? capacities[robot] : std::nullopt};
+    supports.erase(supports.begin() + index);
+    remove_capacity(capacities, robot);
+  } else if (was_away) {
+    supports.insert(supports.begin() + index, *spot);
+    const auto capacity = std::exchange(state.view.away, std::nullopt)->capacity;
+    if (capacity && capacities.empty()) capacities.resize(supports.size() - 1);
+    if (!capacities.empty()) capacities.insert(capacities.begin() + index, capacity);
+  } else {
+    supports[robot] = *spot;
+  }
+  if (state.view.held.kind == Pick::Kind::robot) {
+    state.view.held.index = 0;
+    state.view.held.end = static_cast<int>(robot);
+  }
+  if (spot) hand_over(state, robot);
+}
+
+void place_yourself(AppState& state, std::size_t robots) {
+  if (!has_robots(state)) return;
+  const Placement& placement = *state.derived().placement;
+  Settings own = with_method(settings(state), Method::given, 1);
+  own.supports = supports_to_place(placement.object, placement.centre_of_mass, robots, own);
+  edit(state, false, Edit::robots_moved).settings = std::move(own);
+  state.work.show().support_capacities.clear();
+}
+
+Points supports_now(const AppState& state) {
+  if (!has_robots(state) || state.derived().placement->teams.empty()) return {};
+  return taken_over(settings(state), *state.derived().placement).supports;
+}
+
+void put_support(AppState& state, std::size_t robot, const Vec2& at) {
+  if (robot >= supports_now(state).size()) return;
+  const Placement& placement = *state.derived().placement;
+  if (!SupportPlacer(placement.object, placement.settings).place(at)) return;
+  edit_supports(state, false).settings.supports[robot] = at;
+}
+
+void add_support(AppState& state, std::optional<Vec2> at) {
+  if (!has_robots(state)) return;
+  const Placement& placement = *state.derived().placement;
+  if (count_robots(placement.teams) >= most_supports) return;
+  if (at)
+    at = support_spot(state, *at, std::nullopt);
+  else
+    at = widest_addition(placement.polygon(), positions(lifting_points(placement.teams)));
+  if (!at) return;
+  Document& document = edit_supports(state, false);
+  document.settings.supports.push_back(*at);
+  Capacities& capacities = state.work.show().support_capacities;
+  if (!capacities.empty()) capacities.emplace_back();
+}
+
+void remove_support(AppState& state, std::optional<std::size_t> robot) {
+  if (!has_robots(state)) return;
+  const std::size_t number = count_robots(state.derived().placement->teams);
+  if (number < 2) return;
+  const std::size_t gone = robot.value_or(number - 1);
+  if (gone >= number) return;
+  Document& document = edit_supports(state, false);
+  Points& supports = document.settings.supports;
+  if (gone >= supports.size()) return;
+  supports.erase(supports.begin() + static_cast<std::ptrdiff_t>(gone));
+  remove_capacity(state.work.show().support_capacities, gone);
+}
+
+void even_out_supports(AppState& state) {
+  if (!has_robots(state) || settings(state).method != Method::given) return;
+  const auto even = with_even_supports(state.work.document());
+  if (!even) return show(state, {Notice::Kind::problem, sentence(even.error()) + "."});
+  Points supports = even->settings.supports;
+  edit(state, false, Edit::robots_moved).settings.supports = std::move(supports);
+}
+
 namespace {
 
 LiftingPoint nearest_on_outline(const Points& vertices, const Vec2& to) {

@@ -5,14 +5,136 @@
 #include <string>
 #include <utility>
 
-#include "edits/sight.h"
+#include "edits/by_hand.h"
+#include "edits/open_document.h"
+#include "evenlift/settings.h"
 #include "evenlift/wording.h"
 #include "state/notice.h"
+#include "state/opened.h"
 #include "state/seen.h"
-#include "tools/handles.h"
+#include "tools/pick.h"
 #include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
+namespace {
+
+bool differs(const SettingRow& row, const Document& a, const Document& b) {
+  return text_of(row.setting, a) != text_of(row.setting, b);
+}
+
+}  // namespace
+
+bool stand_alike(const Settings& a, const Settings& b) {
+  const Document before{{}, {}, a}, after{{}, {}, b};
+  for (const SettingRow& row : all_settings())
+    if (row.changes == Changes::stands && differs(row, before, after)) return false;
+  return true;
+}
+
+Edit edit_between(const Document& before, const Document& after) {
+  std::optional<Edit> only;
+  for (const SettingRow& row : all_settings()) {
+    const bool centre = row.setting == Setting::com;
+    if ((row.edit.empty() && !centre) || !differs(row, before, after)) continue;
+    const Edit edit = !centre                ? edit_of(row)
+                      : after.centre_of_mass ? Edit::centre_moved
+                                             : Edit::centre_released;
+    if (only.value_or(edit) != edit) return Edit::settings;
+    only = edit;
+  }
+  return only.value_or(Edit::settings);
+}
+
+Shown with_changes(const Shown& shown, const Shown& before, const Shown& after) {
+  Document changed{{}, {}, {}, shown};
+  const Document from{{}, {}, {}, before}, to{{}, {}, {}, after};
+  for (const SettingRow& row : all_settings())
+    if (row.changes == Changes::shown && row.setting != Setting::step && differs(row, from, to))
+      read_setting(row.setting, text_of(row.setting, to), changed);
+  return changed.shown;
+}
+
+namespace {
+
+bool places_nothing(const AppState& state, const Document& edited) {
+  return !state.derived().refusal && edited.vertices == state.work.document().vertices &&
+         edited.holes == state.work.document().holes &&
+         edited.centre_of_mass == state.work.document().centre_of_mass &&
+         edited.settings == settings(state);
+}
+
+// With the teams at their original places.
+std::optional<InputError> try_to_open(AppState& state, std::uint32_t step, const Units& units) {
+  Result<Placement> found = *state.derived().placement;
+  if (!state.work.document().moved.teams.empty()) {
+    Document document = state.work.document();
+    document.moved = {};
+    found = compute_placement(document, found.value());
+  }
+  if (!found) return found.error();
+  Result<Trace> trace = compute_trace(*found, units);
+  if (!trace) return trace.error();
+  if (auto problem = check_step(step, *trace)) return problem;
+  put_teams_back(state);
+  state.given = {std::move(found).value(), std::move(trace).value(), {}, {}};
+  state.work.show().step = step;
+  state.view.walkthrough.of_lesson = false;
+  return std::nullopt;
+}
+
+// Goes to a step of the open document's walkthrough, or closes it.
+std::optional<InputError> try_step(AppState& state, const Shown& wanted) {
+  const std::optional<std::uint32_t> step = wanted.step;
+  if (!step) {
+    if (walkthrough_is_open(state)) leave_walkthrough(state);
+    return std::nullopt;
+  }
+  if (!walkthrough_is_open(state)) return try_to_open(state, *step, wanted.units);
+  if (auto problem = check_step(*step, *state.view.walkthrough.trace)) return problem;
+  go_to_step(state, *step);
+  return std::nullopt;
+}
+
+std::optional<InputError> check_robot(const Placement& placement, std::uint64_t number) {
+  const std::size_t count = count_robots(placement.teams);
+  if (number <= count) return std::nullopt;
+  InputError error = setting_error(Setting::failed);
+  error.message =
+      count == 0
+          ? say("there is no robot {robot}: there are none", {std::to_string(number)})
+          : say("there is no robot {robot}: there are {robots}", {std::to_string(number), count});
+  return error;
+}
+
+}  // namespace
+
+std::optional<InputError> try_edit(AppState& state, const Document& edited, std::uint64_t failed) {
+  if (places_nothing(state, edited)) {
+    if (auto problem = check_robot(*state.derived().placement, failed)) return problem;
+    const Shown before = shown(state);
+    // This may leave a lesson, which restores other settings.
+    if (auto problem = try_step(state, edited.shown)) return problem;
+    change_shown(state, before, edited.shown);
+    return std::nullopt;
+  }
+  Result<Placement> placement = compute_placement(edited, state.derived().placement);
+  if (!placement) return placement.error();
+  if (auto problem = check_robot(*placement, failed)) return problem;
+  std::optional<Trace> trace;
+  // An open step follows the edit; any other must exist.
+  if (edited.shown.step && edited.shown.step != shown(state).step) {
+    Result<Trace> made = compute_trace(*placement, edited.shown.units);
+    if (!made) return made.error();
+    if (auto problem = check_step(*edited.shown.step, *made)) return problem;
+    trace = std::move(made).value();
+  }
+  Document& document = edit(state, false, edit_between(state.work.document(), edited));
+  if (!walkthrough_is_open(state)) state.view.walkthrough.of_lesson = false;
+  document = edited;
+  state.given = {std::move(placement).value(), std::move(trace), {}, {}};
+  return std::nullopt;
+}
+
 namespace {
 
 // Undoing a change of the picture's scale also undoes its effect on what is traced on it.
@@ -147,6 +269,28 @@ void leave_lesson_for_another(AppState& state) {
   state.work.edit() = std::move(before->document);
   state.work.second_method = before->beside.second_method;
   recall_backdrop(state, before->beside.backdrop);
+}
+
+void begin_edit(AppState& state, bool live, Edit edit) {
+  if (live && state.work.edit_open) return;
+  state.work.history.record(state.work.document(), beside(state.work), edit);
+  state.work.edit_open = live;
+}
+
+Document& edit(AppState& state, bool live, Edit edit) {
+  begin_edit(state, live, edit);
+  show(state, {});
+  state.given = {};
+  Document& document = state.work.edit();
+  document.moved = {};
+  return document;
+}
+
+void change_shown(AppState& state, const Shown& before, const Shown& after, bool live) {
+  if (after == before) return;
+  if (seen_as(after, before) != before)
+    begin_edit(state, live, edit_between({{}, {}, {}, before}, {{}, {}, {}, after}));
+  state.work.show() = with_changes(shown(state), before, after);
 }
 
 }  // namespace evenlift::view

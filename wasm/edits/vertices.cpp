@@ -3,17 +3,26 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 
-#include "edits/editing.h"
+#include "edits/open_document.h"
+#include "edits/undo.h"
+#include "evenlift/document.h"
+#include "evenlift/output/words.h"
 #include "evenlift/plane.h"
+#include "evenlift/polygon_with_holes.h"
 #include "evenlift/settings.h"
 #include "evenlift/wording.h"
+#include "state/layout.h"
 #include "state/notice.h"
-#include "tools/handles.h"
+#include "state/opened.h"
+#include "tools/drawing.h"
+#include "tools/pick.h"
+#include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
-
 namespace {
 
 void put_in_hole(AppState& state, const Handle& edge, const Vec2& at) {
@@ -130,5 +139,242 @@ void set_weight(AppState& state, std::size_t item, const Cargo& cargo) {
 }
 
 void grip_polygon(AppState& state) { state.view.grip = grip_of(state.work.document()); }
+
+namespace {
+
+bool move_last(Points& from, Points& to) {
+  if (from.empty()) return false;
+  to.push_back(from.back());
+  from.pop_back();
+  return true;
+}
+
+// The document with the drawn hole last, or why it cannot have it.
+Result<Document> with_hole(const Document& document, const Points& hole) {
+  Document with = document;
+  with.holes.push_back(hole);
+  const Result<PolygonWithHoles> object = object_of(with);
+  if (!object) return object.error();
+  return with;
+}
+
+// Finds out why the drawn shape or hole cannot be closed.
+void check_drawing(AppState& state) {
+  Drawing& drawing = state.view.drawing;
+  if (drawing.checked) return;
+  drawing.checked = true;
+  if (state.view.tool == Tool::hole) {
+    const Result<Document> with = with_hole(state.work.document(), drawing.points);
+    if (!with) drawing.refusal = with.error();
+  } else {
+    const Result<Polygon> polygon = Polygon::create(drawing.points);
+    if (!polygon) drawing.refusal = polygon.error();
+  }
+}
+
+}  // namespace
+
+void renew_drawing(AppState& state) {
+  Drawing& drawing = state.view.drawing;
+  drawing.length.reset();
+  drawing.degrees.reset();
+  drawing.checked = false;
+  drawing.refusal.reset();
+  show(state, {});
+  emit(state, DocumentChanged{});
+}
+
+void take_tool(AppState& state, Tool tool) {
+  if (draws(tool) && walkthrough_is_open(state)) close_walkthrough(state);
+  state.view.tool = tool;
+  emit(state, SummaryChanged{});
+  state.view.card.ask(std::nullopt);
+  if (!state.view.drawing.points.empty()) emit(state, DocumentChanged{});
+  state.view.drawing = {};
+  state.view.selected.reset();
+  state.view.hover = state.view.held = {};
+  if (draws(tool)) state.work.second_method.reset();
+  show(state, {});
+  if (tool == Tool::robot)
+    announce(state, "Click the outline or the object to add a robot there; Esc ends it.");
+  if (tool == Tool::hole)
+    announce(state, "Draw a hole in the object, vertex by vertex; Esc ends it.");
+  if (tool == Tool::weight) announce(state, "Click the object to put a weight there; Esc ends it.");
+  if (tool == Tool::mark)
+    announce(
+        state,
+        "Drag along the boundary to mark no-go parts, or type the numbers of edges in the field No-go edges.");
+}
+
+void add_point(AppState& state, const Vec2& at) {
+  Points& points = state.view.drawing.points;
+  if (!points.empty() && points.back() == at) return;
+  points.push_back(at);
+  // The next edge begins here, even without a cursor: a finger has none between two taps.
+  state.view.drawing.last_cursor = at;
+  if (state.view.drawing.cursor) state.view.drawing.cursor = at;
+  state.view.drawing.undone.clear();
+  renew_drawing(state);
+}
+
+void move_point(AppState& state, std::size_t point, const Vec2& to) {
+  Points& points = state.view.drawing.points;
+  if (point >= points.size() || points[point] == to) return;
+  points[point] = to;
+  renew_drawing(state);
+}
+
+void take_point_back(AppState& state) {
+  if (move_last(state.view.drawing.points, state.view.drawing.undone)) renew_drawing(state);
+}
+
+void put_point_back(AppState& state) {
+  if (move_last(state.view.drawing.undone, state.view.drawing.points)) renew_drawing(state);
+}
+
+void set_draw_cursor(AppState& state, const SetDrawCursor& cursor) {
+  Drawing& drawing = state.view.drawing;
+  drawing.cursor = cursor.at;
+  if (cursor.at) drawing.last_cursor = cursor.at;
+  if (cursor.by_keys)
+    keep_in_sight(state, *cursor.at);
+  else
+    drawing.pointer = cursor.pointer;
+  if (cursor.by_keys || drawing.by_keys) emit(state, SummaryChanged{});
+  drawing.by_keys = cursor.by_keys;
+  if (cursor.at && closes(state, state.view.camera.to_screen(*cursor.at))) check_drawing(state);
+}
+
+void type_edge(AppState& state, const TypeEdge& typed) {
+  Drawing& drawing = state.view.drawing;
+  if (drawing.points.empty()) return;
+  if (typed.length && !(*typed.length > 0 && *typed.length <= max_coordinate))
+    return show(state, {Notice::Kind::problem, "The length of an edge must be a number above 0."});
+  if (typed.degrees && !(std::abs(*typed.degrees) <= 360))
+    return show(state,
+                {Notice::Kind::problem, "The angle of an edge must be between −360° and 360°."});
+  if (typed.length) drawing.length = typed.length;
+  if (typed.degrees) drawing.degrees = typed.degrees;
+  const Vec2 from = drawing.points.back(),
+             towards = drawing.cursor.value_or(drawing.last_cursor.value_or(from));
+  if (!drawing.length && towards == from) {
+    if (typed.place) show(state, {Notice::Kind::problem, "Also type the length of the edge."});
+    return;
+  }
+  const Vec2 to = typed_end(drawing, towards);
+  if (!(std::abs(to.x) <= max_coordinate && std::abs(to.y) <= max_coordinate))
+    return show(state,
+                {Notice::Kind::problem, "The edge would end beyond the largest coordinate."});
+  drawing.cursor = drawing.last_cursor = to;
+  drawing.by_keys = true;
+  keep_in_sight(state, to);
+  if (typed.place) add_point(state, to);
+  emit(state, SummaryChanged{});
+}
+
+void withdraw_edge(AppState& state) {
+  Drawing& drawing = state.view.drawing;
+  if (drawing.points.empty() || (!drawing.length && !drawing.degrees)) return;
+  drawing.length.reset();
+  drawing.degrees.reset();
+  const Vec2 to = drawing.pointer ? next_point(state, state.view.camera.to_world(*drawing.pointer))
+                                  : drawing.points.back();
+  drawing.last_cursor = to;
+  if (drawing.cursor) drawing.cursor = to;
+  drawing.by_keys = false;
+  emit(state, SummaryChanged{});
+}
+
+namespace {
+
+void refuse_drawing(AppState& state, const InputError& error) {
+  state.view.drawing.checked = true;
+  state.view.drawing.refusal = error;
+  show(state, {Notice::Kind::problem, sentence(error) + "."});
+}
+
+void finish_hole(AppState& state) {
+  const Result<Document> with = with_hole(state.work.document(), state.view.drawing.points);
+  if (!with) return refuse_drawing(state, with.error());
+  edit(state, false, Edit::hole_drawn).holes = with->holes;
+  take_tool(state, Tool::parts);
+  announce(state, say("Hole {hole} drawn.", {with->holes.size()}));
+}
+
+}  // namespace
+
+void finish_drawing(AppState& state) {
+  if (state.view.tool == Tool::hole) return finish_hole(state);
+  Result<Opened> polygon = opened_after({state.view.drawing.points, {}}, state.work.document());
+  if (!polygon) return refuse_drawing(state, polygon.error());
+  open(state, std::move(polygon).value(), Edit::drawn);
+  if (state.work.backdrop) state.work.backdrop->traced = true;
+}
+
+namespace {
+
+void show_all_of_it(AppState& state) {
+  state.view.camera = fitting_camera(state);
+  state.view.camera_follows = true;  // cards come and go beside it
+}
+
+struct Scaled {
+  Vec2 low;
+  double factor;
+  Vec2 operator()(const Vec2& p) const { return (p - low) * factor; }
+  void operator()(Points& points) const {
+    for (Vec2& p : points) p = (*this)(p);
+  }
+  void operator()(std::optional<Vec2>& p) const {
+    if (p) p = (*this)(*p);
+  }
+};
+
+bool all_within(const Points& points, const Scaled& scaled) {
+  return std::all_of(points.begin(), points.end(),
+                     [&](const Vec2& p) { return max_norm(scaled(p)) <= max_coordinate; });
+}
+
+void scale_drawing(AppState& state, const Scaled& scaled) {
+  Drawing& drawing = state.view.drawing;
+  for (Points* points : {&drawing.points, &drawing.undone}) scaled(*points);
+  for (std::optional<Vec2>* cursor : {&drawing.cursor, &drawing.last_cursor}) scaled(*cursor);
+  renew_drawing(state);
+}
+
+}  // namespace
+
+void lay_behind(AppState& state, const Vec2& low, const Vec2& high) {
+  state.work.backdrop = Backdrop{low, high, ++state.work.pictures};
+  if (!draws(state.view.tool)) take_tool(state, Tool::draw);
+  show_all_of_it(state);
+}
+
+void take_picture_away(AppState& state) { state.work.backdrop.reset(); }
+
+std::string scale_picture(AppState& state, double width) {
+  if (!state.work.backdrop) return {};
+  const Scaled scaled{state.work.backdrop->low, width / state.work.backdrop->width()};
+  const bool drawing = draws(state.view.tool), traced = !drawing && state.work.backdrop->traced;
+  Points corners = drawing  ? state.view.drawing.points
+                   : traced ? state.work.document().vertices
+                            : Points();
+  corners.push_back(state.work.backdrop->high);
+  if (!(scaled.factor > 0) || !std::isfinite(scaled.factor)) return say("It would have no size");
+  if (!all_within(corners, scaled))
+    return say("The picture would reach beyond the largest coordinate");
+  Document* document = traced ? &edit(state, false, Edit::whole) : nullptr;
+  state.work.backdrop->high = scaled(state.work.backdrop->high);
+  state.work.backdrop->low = Vec2(0, 0);
+  if (drawing) scale_drawing(state, scaled);
+  if (document) {
+    scaled(document->vertices);
+    for (Points& hole : document->holes) scaled(hole);
+    for (Cargo& item : document->settings.cargo) item.at = scaled(item.at);
+    scaled(document->centre_of_mass);
+  }
+  show_all_of_it(state);
+  return {};
+}
 
 }  // namespace evenlift::view

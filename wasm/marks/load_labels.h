@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "marks/cargo.h"
+#include "marks/object.h"
 #include "marks/robot_discs.h"
 #include "picture/canvas_view.h"
 #include "picture/labels.h"
@@ -29,11 +29,11 @@ struct LoadLabel {
 
 // The loads beside the robots, except a failed robot's and those without room; empty if no robot
 // carries anything. Adds the boxes to `occupied`. O(robots).
-std::vector<LoadLabel> load_labels(const CanvasView& view, const RobotSize& size,
+std::vector<LoadLabel> load_labels(const CanvasView& view, const DiscSize& size,
                                    const Report& report, Occupied& occupied);
 
 // The labels of the planned loads, without uncertainty, for the walkthrough.
-std::vector<LoadLabel> planned_load_labels(const CanvasView& view, const RobotSize& size);
+std::vector<LoadLabel> planned_load_labels(const CanvasView& view, const DiscSize& size);
 
 void draw_loads(const Painter& painter, const CanvasView& view,
                 const std::vector<LoadLabel>& labels);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "evenlift/report.h"
+#include "marks/load_labels.h"
 #include "picture/canvas_view.h"
 
 namespace evenlift::view {
@@ -30,5 +31,12 @@ std::optional<WhyUnusable> why_unusable(const AppState& state, const Pick& at);
 
 // Writes that reason at the pointer.
 void draw_why_unusable(const Painter& painter, const CanvasView& view);
+
+// The labels of the loads, once all loads are known. Names keep clear of these labels
+// (canvas_walkthrough.cpp).
+std::vector<LoadLabel> loads_of_walkthrough(const CanvasView& view);
+
+// Draws the robots placed up to the current step.
+void draw_robots_of_walkthrough(const Painter& painter, const CanvasView& view);
 
 }  // namespace evenlift::view

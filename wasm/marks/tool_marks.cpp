@@ -162,7 +162,8 @@ void draw_drawing(const Painter& painter, const AppState& state, const Theme& th
 }
 
 void draw_frame_grips(const Painter& painter, const CanvasView& view) {
-  const auto& [state, theme] = std::tie(view.state, view.theme);
+  const AppState& state = view.state;
+  const Theme& theme = view.theme;
   const Rect frame = transform_frame(state);
   ImDrawList& list = painter.list();
   const ImVec2 low = vec(frame.left, frame.top), high = vec(frame.right, frame.bottom);

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "actions/key_list.h"
+#include "actions/actions.h"
 #include "app/app.h"
-#include "edits/supports.h"
+#include "edits/by_hand.h"
 #include "edits/vertices.h"
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
@@ -29,7 +29,6 @@
 #include "page/hand_over.h"
 #include "page/page_api.h"
 #include "state/history.h"
-#include "tools/handles.h"
 #include "tools/pick.h"
 
 namespace evenlift::view {

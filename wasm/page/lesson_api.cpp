@@ -1,24 +1,69 @@
-// For the page's windows about lessons.
+// Takes the results of the search for balanced robots (web/page/search.js), and of choosing teams
+// while a large object is dragged (web/page/choosing.js).
 #include <emscripten/emscripten.h>
-
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/app.h"
-#include "app/open_lesson.h"
+#include "app/opening.h"
 #include "evenlift/lesson.h"
 #include "evenlift/lesson_link.h"
 #include "evenlift/output/json_text.h"
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "page/hand_over.h"
 #include "page/page_api.h"
 #include "state/opened.h"
 #include "walkthrough/script.h"
 #include "walkthrough/timeline.h"
+
+using namespace evenlift::view;
+
+extern "C" {
+
+// The robots, or their count, found by the search with this number, and whether it has ended: 2 if a
+// limit of work ended it.
+EMSCRIPTEN_KEEPALIVE void page_take_robots(double number, const char* robots, int ended) {
+  carry_out({TakeRobots{static_cast<std::uint64_t>(number), robots, ended != 0, ended == 2}});
+}
+
+// The search with this number cannot continue.
+EMSCRIPTEN_KEEPALIVE void page_search_failed(double number) {
+  carry_out({TakeRobots{static_cast<std::uint64_t>(number), std::nullopt}});
+}
+
+// The choice for the document with this number: `size` bytes of doubles, 0 if it is refused.
+EMSCRIPTEN_KEEPALIVE void page_take_choice(double number, const unsigned char* bytes,
+                                           std::size_t size) {
+  std::vector<double> choice(size / sizeof(double));
+  if (!choice.empty()) std::memcpy(choice.data(), bytes, choice.size() * sizeof(double));
+  carry_out({TakeChoice{static_cast<std::uint64_t>(number), std::move(choice)}});
+}
+
+// No choice is possible for the document with this number.
+EMSCRIPTEN_KEEPALIVE void page_choice_failed(double number) {
+  carry_out({TakeChoice{static_cast<std::uint64_t>(number), std::nullopt}});
+}
+
+}  // extern "C"
+
+// --- Translations for the page (web/page/language.js).
+
+extern "C" {
+
+// `english` is a text or a pattern.
+EMSCRIPTEN_KEEPALIVE void words_translate(const char* english, const char* translated) {
+  evenlift::add_translation(english, translated);
+}
+}
+
+// --- For the page's windows about lessons.
 
 using namespace evenlift::view;
 namespace json = evenlift::json;

@@ -23,7 +23,7 @@
 #include "page/page_api.h"
 #include "page/sdl_input.h"
 #include "page/webgl_renderer.h"
-#include "tools/cursor.h"
+#include "tools/pick.h"
 #include "ui/controls.h"
 #include "ui/fonts.h"
 #include "ui/letters.h"

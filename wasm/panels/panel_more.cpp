@@ -1,18 +1,234 @@
-// Seldom-used settings, behind a button that opens them.
+// The second method, and the results of both in numbers.
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <string>
+#include <vector>
 
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "panels/length_row.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
+#include "picture/scene.h"
+#include "ui/controls.h"
 #include "widgets/buttons.h"
-#include "widgets/cards.h"
 #include "widgets/dropdown.h"
 #include "widgets/fields.h"
+#include "widgets/methods.h"
 #include "widgets/text.h"
 
 namespace evenlift::view {
+namespace {
+
+struct Row {
+  std::string label;
+  std::array<std::string, 2> values;
+};
+
+// `failed` is the number of robots in `a` that carry nothing.
+std::vector<Row> compared_rows(const Placement& a, const Placement& b, std::size_t failed,
+                               const std::string& weight_unit) {
+  const auto both = [&](auto value) { return std::array<std::string, 2>{value(a), value(b)}; };
+  const auto load = [](auto member) {
+    return [member](const Placement& p) {
+      return p.loads ? amount((*p.loads).*member, p.loads->max) : std::string("–");
+    };
+  };
+  return {
+      {"Robots",
+       {std::to_string(count_robots(a.teams) - failed), std::to_string(count_robots(b.teams))}},
+      {say("Least load, {unit}", {weight_unit}), both(load(&LoadSummary::min))},
+      {say("Greatest load, {unit}", {weight_unit}), both(load(&LoadSummary::max))},
+      {say("Spread of loads, {unit}", {weight_unit}), both(load(&LoadSummary::spread))},
+      {"Coverage", both([](const Placement& p) { return percentage(p.coverage, 1); })},
+      {"Form closure", both([](const Placement& p) { return form_closure_in_words(p.closure); })}};
+}
+
+void draw_row(const Ui& ui, const Row& row, Face face, Colour colour,
+              const std::array<std::string, 2>& methods) {
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_text(list, Face::label, ImVec2(low.x, low.y + 2), ui.theme.second_text, row.label);
+  for (int i = 0; i < 2; ++i) {
+    const std::string& text = row.values[static_cast<std::size_t>(i)];
+    const float right = low.x + width - (i == 0 ? 84.0f : 0.0f);
+    draw_text(list, face, ImVec2(right - text_size(face, text).x, low.y + 2), colour, text);
+  }
+  ImGui::Dummy(ImVec2(width, 21));
+  if (!row.label.empty())
+    list_text(row.label, say("{method} {value}, {second} {other}",
+                             {methods[0], row.values[0], methods[1], row.values[1]}));
+}
+
+}  // namespace
+
+void draw_compare(const Ui& ui) {
+  const float width =
+      labelled(ui, "Compare with", "Shows the same object under a second method beside the first");
+  std::vector<Choice> choices = {{"Nothing"}};
+  std::vector<Method> of_choice;
+  std::size_t current = 0;
+  for (const MethodWords& m : methods) {
+    if (m.method == settings(ui.state).method) continue;
+    if (ui.state.work.second_method == m.method) current = choices.size();
+    choices.push_back({m.label, m.about});
+    of_choice.push_back(m.method);
+  }
+  choices.push_back({"Optimum …", "the best for this number of teams"});
+  choices.push_back({"All methods …", "in charts, by the number of teams"});
+  const auto chosen = dropdown(ui, "compared", "Compare with", choices, current, width);
+  if (!chosen) return;
+  if (*chosen + 1 == choices.size())
+    ui.push(OpenDialog{Dialog::curves});
+  else if (*chosen + 2 == choices.size())
+    ui.push(OpenDialog{Dialog::optimum});
+  else
+    ui.push(Compare{*chosen == 0 ? std::nullopt : std::optional<Method>(of_choice[*chosen - 1])});
+}
+
+void draw_comparison(const Ui& ui) {
+  if (!ui.state.derived().placement) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  const bool fails = failing(ui.state) != nullptr;
+  const std::string first = words_of(ui.state.derived().placement->settings.method).label;
+  const std::array<std::string, 2> both = {fails ? say("{method}, one fails", {first}) : first,
+                                           words_of(*ui.state.work.second_method).label};
+  draw_row(ui, {"", both}, Face::label, ui.theme.second_text, both);
+  for (const Row& row : compared_rows(shown_placement(ui.state), *ui.state.derived().second,
+                                      fails ? 1 : 0, weight_unit(ui.state)))
+    draw_row(ui, row, Face::strong_label, ui.theme.text, both);
+  ImGui::PopStyleVar();
+}
+
+// --- The overlays' switches, also the legend of the picture.
+
+namespace {
+
+struct Overlay {
+  bool Overlays::*shown;
+  Swatch swatch;
+  const char* label;
+  const char* about;
+  const char* about_none =
+      nullptr;                 // if it can be empty: a held object has no points to turn about
+  const char* name = nullptr;  // of its chip for scripts, if not the label
+};
+constexpr Overlay overlays[] = {
+    {&Overlays::lifting_base, Swatch::hull, "Base",
+     "Lifting base H, the convex hull of the robots: no press down there tips it, if robots push back and none is overloaded (H)"},
+    {&Overlays::chords, Swatch::chord, "Chords",
+     "The two robots of a team and the line between them (C)"},
+    {&Overlays::candidates, Swatch::candidate, "Candidates", "All chords that were compared (A)"},
+    {&Overlays::clockwise, Swatch::clockwise, "Clockwise turns",
+     "Points about which it can still turn clockwise, robots on corners not counted (R)",
+     "Points about which it can still turn clockwise, robots on corners not counted: none here (R)",
+     "Clockwise"},
+    {&Overlays::counterclockwise, Swatch::counterclockwise, "Counter-clockwise turns",
+     "Points about which it can still turn counter-clockwise, robots on corners not counted (L)",
+     "Points about which it can still turn counter-clockwise, robots on corners not counted: none here (L)",
+     "Counter-clockwise"},
+    {&Overlays::tipping, Swatch::tipping, "Tipping",
+     "The press down that tips the object, at each point (F)"},
+    {&Overlays::halo, Swatch::halo, "Tipping distance",
+     "How far the centre of mass may be off before the object tips, if robots push back and none is overloaded (Shift+C)"},
+    {&Overlays::tilt, Swatch::tilt, "Tilt",
+     "On which slopes it tips in each direction: where a circle leaves the lifting base (Shift+S)"},
+    {&Overlays::load, Swatch::load, "Load",
+     "Where the extra load may stand: in the striped part it lifts a robot off or overloads one (Shift+L)"},
+};
+
+// Null if the method can have the overlay.
+const char* why_none(Method method, const Overlay& overlay) {
+  const bool weighs = !is_one_team(method) || overlay.shown != &Overlays::candidates;
+  return weighs ? nullptr : "These robots are not chosen among candidate chords";
+}
+
+// Two overlays need a setting of *Carrying*.
+bool is_offered(const Shown& shown, const Overlay& overlay) {
+  if (overlay.shown == &Overlays::tilt) return shown.carrying.com_height > 0;
+  if (overlay.shown == &Overlays::load) return shown.carrying.extra.has_value();
+  return true;
+}
+
+// Whether it shows lines to C, not chords.
+bool shows_lines(Method method, const Overlay& overlay) {
+  return overlay.shown == &Overlays::chords && is_one_team(method);
+}
+
+const char* label_of(Method method, const Overlay& overlay) {
+  return shows_lines(method, overlay) ? "Lines" : overlay.label;
+}
+
+bool is_empty(const Placement& placement, const Overlay& overlay) {
+  const Closure& closure = placement.closure;
+  return (overlay.shown == &Overlays::clockwise && !closure.clockwise.exists) ||
+         (overlay.shown == &Overlays::counterclockwise && !closure.counterclockwise.exists);
+}
+
+const char* about(const AppState& state, const Overlay& overlay) {
+  if (shows_lines(settings(state).method, overlay))
+    return "Balanced robots have no chords: a line joins each with the centre of mass (C)";
+  const bool empty = state.derived().placement && is_empty(shown_placement(state), overlay);
+  return empty ? overlay.about_none : overlay.about;
+}
+
+}  // namespace
+
+void draw_heat_key(const Ui& ui) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  constexpr int bands = 7;
+  const float each = width / bands, top = low.y + 20;
+  float written = low.x - 4;  // end of the last number
+  draw_text(list, Face::label, ImVec2(low.x, low.y), ui.theme.second_text,
+            say("Force that tips it, in {unit}", {weight_unit(ui.state)}));
+  for (int i = 0; i < bands; ++i) {
+    const float left = low.x + each * static_cast<float>(i);
+    list.AddRectFilled(ImVec2(left, top), ImVec2(left + each - 1, top + 10),
+                       ui.theme.heat[i].packed(), 2);
+    const bool last = i + 1 == bands;
+    const double force = last ? 0
+                              : heat_levels[std::min<std::size_t>(static_cast<std::size_t>(i),
+                                                                  std::size(heat_levels) - 1)] *
+                                    settings(ui.state).weight;
+    const std::string text = last ? "none" : plain(force);
+    const ImVec2 size = text_size(Face::tiny, text);
+    // Each number is at the border of two bands; the last band has a word.
+    const float x = last ? left + (each - size.x) / 2 : left + each - size.x / 2;
+    if (i + 2 == bands || x < written + 4) continue;
+    written = x + size.x;
+    draw_text(list, Face::tiny, ImVec2(x, top + 13), ui.theme.second_text, text);
+  }
+  ImGui::Dummy(ImVec2(width, 50));
+}
+
+void draw_overlays(const Ui& ui) {
+  const float left = ImGui::GetCursorScreenPos().x, width = ImGui::GetContentRegionAvail().x;
+  bool first = true;
+  for (const Overlay& overlay : overlays) {
+    if (!is_offered(shown(ui.state), overlay)) continue;
+    const bool on = shown(ui.state).overlays.*overlay.shown;
+    const char* label = label_of(settings(ui.state).method, overlay);
+    const float wide = text_size(Face::label, label).x + 42;
+    if (!first && ImGui::GetItemRectMax().x + 6 + wide <= left + width) ImGui::SameLine(0, 6);
+    first = false;
+    const char* why_not = why_none(settings(ui.state).method, overlay);
+    const char* name = overlay.name ? overlay.name : overlay.label;
+    if (chip(ui, name, overlay.swatch, label, on && !why_not, !why_not)) {
+      Shown changed = shown(ui.state);
+      changed.overlays.*overlay.shown = !on;
+      ui.push(SetShown{changed});
+    }
+    if (ImGui::IsItemHovered()) tip(ui, why_not ? why_not : about(ui.state, overlay));
+  }
+  if (shown(ui.state).overlays.tipping) draw_heat_key(ui);
+}
+
+// --- Seldom-used settings, behind a button that opens them.
+
 namespace {
 
 constexpr Choice models[] = {{"As planned", "each robot's force is controlled"},
@@ -59,12 +275,12 @@ constexpr LengthRow apart{Setting::apart,
                           &Settings::apart,
                           "Default: 12 % of the object's radius"};
 
-constexpr LengthRow snap{Setting::snap,
-                         "Snap",
-                         "Robots within this distance of the outline stand at the edge",
-                         "Snap distance of robots",
-                         &Settings::snap,
-                         "Default: 1/10,000 of the object's size"};
+constexpr LengthRow snap_row{Setting::snap,
+                             "Snap",
+                             "Robots within this distance of the outline stand at the edge",
+                             "Snap distance of robots",
+                             &Settings::snap,
+                             "Default: 1/10,000 of the object's size"};
 
 constexpr Choice length_units[] = {{"no unit"}, {"m"}, {"cm"}, {"mm"}, {"in"}};
 constexpr Choice weight_units[] = {{"kg"}, {"t"}, {"N"}, {"lb"}};
@@ -123,7 +339,7 @@ void draw_rows(const Ui& ui) {
   draw_length(ui, clear);
   draw_length(ui, accuracy_row);
   draw_units(ui);
-  if (settings(ui.state).method == Method::given) draw_length(ui, snap);
+  if (settings(ui.state).method == Method::given) draw_length(ui, snap_row);
   if (settings(ui.state).method != Method::balanced) return;
   draw_length(ui, apart);
   draw_survive(ui);

@@ -12,7 +12,6 @@
 #include "widgets/buttons.h"
 #include "widgets/dropdown.h"
 #include "widgets/fields.h"
-#include "widgets/sliders.h"
 #include "widgets/text.h"
 
 namespace evenlift::view {

@@ -1,22 +1,108 @@
-// The robots' size and the no-go edges, behind a button that opens them.
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "actions/actions.h"
+#include "evenlift/numbers.h"
+#include "evenlift/output/carrying_words.h"
 #include "evenlift/output/words.h"
 #include "evenlift/settings.h"
 #include "evenlift/wording.h"
 #include "panels/length_row.h"
 #include "panels/panels.h"
+#include "panels/summary.h"
 #include "state/method.h"
 #include "widgets/buttons.h"
-#include "widgets/cards.h"
 #include "widgets/fields.h"
-#include "widgets/sliders.h"
 #include "widgets/text.h"
 
 namespace evenlift::view {
+namespace {
+
+// Below the first step, a length is 0.
+double stepped_length(const AppState& state, double length, int by) {
+  const double first = first_length(size_of_object(state));
+  if (by > 0) return length < first ? first : stepped(length, by);
+  const double lower = length > 0 ? stepped(length, by) : 0;
+  return lower < first ? 0 : lower;
+}
+
+void push(const Ui& ui, Setting setting, const Document& changed) {
+  if (row_of(setting).changes == Changes::shown)
+    ui.push(SetShown{changed.shown});
+  else
+    ui.push(SetSettings{changed.settings});
+}
+
+}  // namespace
+
+double size_of_object(const AppState& state) {
+  return state.derived().placement ? state.derived().placement->polygon().diagonal() : 100;
+}
+
+double first_length(double size_of_object) {
+  return std::pow(10.0, std::floor(std::log10(size_of_object / 50)));
+}
+
+bool draw_optional(const Ui& ui, const OptionalRow& row) {
+  const SettingRow& setting = row_of(row.setting);
+  const std::string id(setting.name);
+  Document changed{{}, {}, settings(ui.state), shown(ui.state)};
+  const std::optional<double> value = read_number(text_of(row.setting, changed));
+  const float width = labelled(ui, row.label, row.about), clear = ui.control();
+  if (!value) {
+    text_field(ui, id.c_str(), row.spoken.c_str(), id.c_str(), row.without, width);
+    return false;
+  }
+  const Units& units = shown(ui.state).units;
+  const int by = stepper(
+      ui, id.c_str(),
+      setting.is_length ? with_length_unit(plain(*value), units) : given_weight(*value, units),
+      width - clear - 4,
+      {.can_lower = *value > 1e-3,
+       .can_raise = *value < 1e9,
+       .label = row.spoken.c_str(),
+       .setting = id.c_str(),
+       .exact = shortest(*value)});
+  ImGui::SameLine(0, 4);
+  const bool unsets = icon_button(ui, row.unset_id, Icon::close, true, row.unset, clear);
+  if (unsets || by != 0) {
+    read_setting(row.setting,
+                 unsets ? std::string(setting.range.unset) : shortest(stepped(*value, by)),
+                 changed);
+    push(ui, row.setting, changed);
+  }
+  return true;
+}
+
+void draw_length(const Ui& ui, const LengthRow& row) {
+  Document changed{{}, {}, settings(ui.state), shown(ui.state)};
+  const std::optional<double> length = read_number(text_of(row.setting, changed));
+  const std::string setting(name(row.setting)),
+      value = length ? with_length_unit(plain(*length), shown(ui.state).units) : "default";
+  std::string id = setting;
+  std::replace(id.begin(), id.end(), '_', ' ');
+  const bool resets = row.member && length;
+  const float width = labelled(ui, row.label, row.about), reset = resets ? ui.control() : 0;
+  const int by = stepper(ui, id.c_str(), value, width - reset,
+                         {.can_lower = length.value_or(1) > 0,
+                          .can_raise = length.value_or(0) < max_length,
+                          .label = row.spoken,
+                          .setting = setting.c_str()});
+  if (resets) {
+    ImGui::SameLine(0, 0);
+    if (icon_button(ui, ("usual " + id).c_str(), Icon::close, true, row.usual, reset)) {
+      (changed.settings.*row.member).reset();
+      return push(ui, row.setting, changed);
+    }
+  }
+  if (by == 0) return;
+  read_setting(row.setting, shortest(stepped_length(ui.state, length.value_or(0), by)), changed);
+  push(ui, row.setting, changed);
+}
+
+// --- The robots' size and the no-go edges, behind a button that opens them.
+
 namespace {
 
 constexpr LengthRow rows[] = {
@@ -102,6 +188,170 @@ void draw_robot_size(const Ui& ui) {
     ui.push(SetSectionOpen{&View::robot_open, !open});
   if (open) draw_size_rows(ui);
   show_opened(ui, "robot size is open", open, head);
+}
+
+// --- A robot's capacity, and the number of robots needed.
+
+namespace {
+
+// 100 goes up to 110, down to 99.
+double step_for(double value, int direction) {
+  const double below = value * (direction < 0 ? 0.999999 : 1);
+  return std::pow(10.0, std::floor(std::log10(std::max(below, 1e-6))) - 1);
+}
+
+}  // namespace
+
+double stepped(double value, int by) {
+  const double step = step_for(value, by);
+  const double steps = std::round(value / step) + by;
+  return step >= 1 ? steps * step : steps / std::round(1 / step);
+}
+
+namespace {
+
+// The overloaded robots and the number needed, at a constant height so that nothing below moves.
+void draw_need(const Ui& ui) {
+  const Derived& facts = ui.state.derived();
+  const CapacityPlan* plan = facts.plan && !facts.plan_due ? &*facts.plan : nullptr;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  // The verdict names overloaded robots, unless one has failed.
+  text_block(Face::label, ui.theme.second_text,
+             need_in_words(ui.state, failing(ui.state) || !is_overloaded(ui.state)));
+  const float five_lines = 5 * line_height(Face::label) + 6;
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + five_lines));
+  const Settings& now = settings(ui.state);
+  Settings changed = now;
+  if (plan && now.method == Method::balanced) changed.robots = plan->team_size;
+  if (plan && now.method != Method::balanced) changed.teams = plan->teams;
+  // Only if one is overloaded: fewer robots may tip or slide. The number needed while one fails is
+  // unknown.
+  const bool can_take =
+      plan && plan->possible && !(changed == now) && !failing(ui.state) && is_overloaded(ui.state);
+  const float width = ImGui::GetContentRegionAvail().x;
+  if (!can_take) {  // its place stays free
+    pressable_row(ui, "use needed", "Use the number needed", width, ui.control(), false);
+    return;
+  }
+  const std::string label =
+      say("Use {robots}", {count_of(plan->team_size * plan->teams, "robot", "robots")});
+  if (flat_button(ui, "use needed", label.c_str(), width)) ui.push(SetSettings{changed});
+}
+
+}  // namespace
+
+void draw_capacity(const Ui& ui) {
+  const OptionalRow capacity{
+      Setting::capacity,
+      "A robot carries",
+      "The greatest load of one robot; type it to see the number of robots needed",
+      say("Capacity of a robot, in {unit}", {weight_unit(ui.state)}),
+      "no limit",
+      "any",
+      "No limit"};
+  if (draw_optional(ui, capacity)) draw_need(ui);
+}
+
+// --- The conditions under which the object is carried, behind a button that opens them.
+
+namespace {
+
+constexpr LengthRow height{
+    Setting::com_height, "Height of C",
+    "Height of the centre of mass, of the object with its cargo, above the plane in "
+    "which the robots lift",
+    "Height of the centre of mass"};
+constexpr LengthRow uneven{Setting::uneven, "Uneven by",
+                           "How much the ground, or a robot's height, is off at most",
+                           "Unevenness of the ground"};
+
+// A ratio with a fixed step.
+struct RatioRow {
+  double Carrying::*member;
+  Setting setting;
+  double step;
+  const char *id, *label, *about, *spoken;
+  std::string (*text)(double value);
+};
+const RatioRow ratios[] = {
+    {&Carrying::slope, Setting::slope, 0.01, "slope", "Slope",
+     "Greatest slope, in any direction, of the plane in which the robots lift: the ground's, "
+     "unless they level the object; type 8%, 4.6deg or 0.08",
+     "Greatest slope", [](double value) { return slope_in_words(value); }},
+    {&Carrying::acceleration, Setting::acceleration, 0.05, "acceleration", "Braked at",
+     "Greatest acceleration along the ground in any direction, in g", "Greatest acceleration, in g",
+     [](double value) { return plain(value) + "\u00A0g"; }},
+};
+
+void draw_ratio(const Ui& ui, const RatioRow& row) {
+  Carrying changed = shown(ui.state).carrying;
+  double& value = changed.*row.member;
+  const SettingRange& range = row_of(row.setting).range;
+  const int by = stepper(ui, row.id, row.text(value), labelled(ui, row.label, row.about),
+                         {.can_lower = value > range.least,
+                          .can_raise = value < range.most,
+                          .label = row.spoken,
+                          .setting = row.id,
+                          .exact = shortest(value)});
+  if (by == 0) return;
+  const double steps = std::round(1 / row.step);
+  value = std::clamp((std::round(value * steps) + by) / steps, range.least, range.most);
+  ui.push(showing(ui.state, &Shown::carrying, changed));
+}
+
+const OptionalRow give{Setting::give,
+                       "Robots give way",
+                       "By how much a robot gives way under its mean load: its springs, tyres or "
+                       "rubber. Without it, uneven ground can do its worst",
+                       "Length by which a robot gives way",
+                       "not known",
+                       "no give",
+                       "Not known"};
+const OptionalRow extra{Setting::extra,
+                        "Another load",
+                        "A further weight that may stand on the object, such as a person or a box",
+                        "Weight of another load",
+                        "none",
+                        "no extra",
+                        "None"};
+
+// Shows or hides an overlay that explains these numbers.
+void draw_show(const Ui& ui, bool Overlays::*overlay, ActionId toggle, const char* show,
+               const char* hide) {
+  const bool on = shown(ui.state).overlays.*overlay;
+  if (flat_button(ui, show, on ? hide : show, ImGui::GetContentRegionAvail().x))
+    action(toggle).run(ui.state, ui.commands);
+}
+
+void draw_carrying_rows(const Ui& ui) {
+  const Carrying& now = shown(ui.state).carrying;
+  draw_length(ui, height);
+  for (const RatioRow& row : ratios) draw_ratio(ui, row);
+  draw_length(ui, uneven);
+  draw_optional(ui, give);
+  draw_optional(ui, extra);
+  const std::string words = carrying_words(ui.state);
+  if (!words.empty()) text_block(Face::label, ui.theme.second_text, words);
+  if (now.com_height > 0)
+    draw_show(ui, &Overlays::tilt, ActionId::toggle_tilt, "Show the slopes", "Hide the slopes");
+  if (now.extra)
+    draw_show(ui, &Overlays::load, ActionId::toggle_load, "Show where it may stand",
+              "Hide where it may stand");
+}
+
+}  // namespace
+
+void draw_carrying_button(const Ui& ui, float width) {
+  const bool open = ui.state.view.carrying_open;
+  if (flat_button(ui, "carrying", open ? "Hide carrying" : "Carrying", width))
+    ui.push(SetSectionOpen{&View::carrying_open, !open});
+  if (ImGui::IsItemHovered()) tip(ui, "Slopes, starts, uneven ground and another load");
+}
+
+void draw_carrying(const Ui& ui, float head) {
+  const bool open = ui.state.view.carrying_open;
+  if (open) draw_carrying_rows(ui);
+  show_opened(ui, "carrying is open", open, head);
 }
 
 }  // namespace evenlift::view

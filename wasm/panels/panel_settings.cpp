@@ -14,7 +14,6 @@
 #include "widgets/dropdown.h"
 #include "widgets/fields.h"
 #include "widgets/methods.h"
-#include "widgets/sliders.h"
 #include "widgets/text.h"
 
 namespace evenlift::view {

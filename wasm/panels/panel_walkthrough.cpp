@@ -14,7 +14,6 @@
 #include "walkthrough/timeline.h"
 #include "walkthrough/words.h"
 #include "widgets/buttons.h"
-#include "widgets/cards.h"
 #include "widgets/fields.h"
 #include "widgets/text.h"
 

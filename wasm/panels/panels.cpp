@@ -8,7 +8,6 @@
 #include "actions/actions.h"
 #include "panels/summary.h"
 #include "widgets/buttons.h"
-#include "widgets/cards.h"
 #include "widgets/text.h"
 
 namespace evenlift::view {

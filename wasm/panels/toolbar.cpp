@@ -1,19 +1,60 @@
-// The cards over the drawing: the toolbar, the view tools, the notice.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "evenlift/output/robustness_words.h"
+#include "evenlift/output/words.h"
 #include "evenlift/wording.h"
 #include "panels/action_button.h"
 #include "panels/panels.h"
+#include "panels/summary.h"
 #include "state/seen.h"
 #include "widgets/buttons.h"
-#include "widgets/cards.h"
 #include "widgets/dropdown.h"
 #include "widgets/text.h"
 
 namespace evenlift::view {
+namespace {
+
+// Nothing for actions without a tool.
+std::optional<bool> is_on(ActionId id, const AppState& state) {
+  if (id == ActionId::draw) return draws(state.view.tool) || state.view.tool == Tool::weight;
+  if (id == ActionId::transform) return state.view.tool == Tool::transform;
+  if (id == ActionId::add_robots) return state.view.tool == Tool::robot;
+  if (id == ActionId::mark) return state.view.tool == Tool::mark;
+  return std::nullopt;
+}
+
+}  // namespace
+
+void action_button(const Ui& ui, ActionId id, float size) {
+  const Action& a = action(id);
+  if (icon_button(ui, a.label, a.icon, a.enabled(ui.state), tip(a, ui.state).c_str(), size,
+                  is_on(id, ui.state)))
+    a.run(ui.state, ui.commands);
+}
+
+void named_action_button(const Ui& ui, ActionId id, float size) {
+  const Action& a = action(id);
+  if (text_button(ui, a.label, a.icon, a.label, tip(a, ui.state).c_str(), size, Icon::none,
+                  is_on(id, ui.state)))
+    a.run(ui.state, ui.commands);
+}
+
+void action_row(const Ui& ui, ActionId id) {
+  const Action& a = action(id);
+  const bool keyed = *a.shown && !ui.state.session.screen.touch && !ui.state.session.screen.finger;
+  const std::string name = keyed ? std::string(a.label) + " (" + a.shown + ")" : a.label;
+  const std::string label = keyed ? say("{action} ({key})", {a.label, a.shown}) : a.label;
+  if (choice(ui, label, nullptr, false, a.icon, a.enabled(ui.state), name))
+    a.run(ui.state, ui.commands);
+}
+
+// --- The cards over the drawing: the toolbar, the view tools, the notice.
+
 namespace {
 
 float wordmark_width() { return text_size(Face::strong, "evenlift").x + 38; }
@@ -41,41 +82,43 @@ constexpr Part parts[] = {
 };
 
 // From the widest to the narrowest.
-struct Look {
+struct ToolbarLook {
   bool wordmark, names, dividers;
   std::size_t shown;  // of `parts`
 };
-constexpr Look looks[] = {
+constexpr ToolbarLook toolbar_looks[] = {
     {true, true, true, 8},    {false, true, true, 8},   {true, false, true, 8},
     {true, false, false, 8},  {false, false, false, 8}, {false, false, false, 7},
     {false, false, false, 6}, {false, false, false, 5}, {false, false, false, 4},
     {false, false, false, 3}, {false, false, false, 2}, {false, false, false, 1},
 };
 
-constexpr float gap = 2, beside_divider = 6;
+constexpr float tool_gap = 2, beside_divider = 6;
 
-float divider_width(const Look& look) { return look.dividers ? 2 * beside_divider + 1 : gap; }
+float divider_width(const ToolbarLook& look) {
+  return look.dividers ? 2 * beside_divider + 1 : tool_gap;
+}
 
-float width_of(const Look& look, float height, float padding) {
-  float width = 2 * padding + gap + height;  // with the menu's button
+float width_of(const ToolbarLook& look, float height, float padding) {
+  float width = 2 * padding + tool_gap + height;  // with the menu's button
   if (look.wordmark) width += wordmark_width() + divider_width(look);
   for (std::size_t i = 0; i < look.shown; ++i) {
     const Part& part = parts[i];
-    if (i > 0) width += part.begins_group ? divider_width(look) : gap;
+    if (i > 0) width += part.begins_group ? divider_width(look) : tool_gap;
     width += look.names && part.named ? text_button_width(action(part.id).label) : height;
   }
   return width;
 }
 
-const Look& widest_that_fits(float room, float height, float padding) {
-  const auto* found = std::find_if(std::begin(looks), std::end(looks), [&](const Look& look) {
-    return width_of(look, height, padding) <= room;
-  });
-  return found == std::end(looks) ? std::end(looks)[-1] : *found;
+const ToolbarLook& widest_that_fits(float room, float height, float padding) {
+  const auto* found = std::find_if(
+      std::begin(toolbar_looks), std::end(toolbar_looks),
+      [&](const ToolbarLook& look) { return width_of(look, height, padding) <= room; });
+  return found == std::end(toolbar_looks) ? std::end(toolbar_looks)[-1] : *found;
 }
 
 void divider(const Ui& ui, float height, bool drawn) {
-  if (!drawn) return ImGui::SameLine(0, gap);
+  if (!drawn) return ImGui::SameLine(0, tool_gap);
   ImGui::SameLine(0, beside_divider);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddRectFilled(
@@ -87,7 +130,7 @@ void divider(const Ui& ui, float height, bool drawn) {
 bool has_tools(const Ui& ui) { return ui.layout.tools.width() > 0; }
 
 // Actions without room elsewhere, and seldom-used ones.
-void draw_menu(const Ui& ui, const Look& look) {
+void draw_menu(const Ui& ui, const ToolbarLook& look) {
   if (!begin_choices(ui, "menu", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), 0)) return;
   for (std::size_t i = look.shown; i < std::size(parts); ++i) action_row(ui, parts[i].id);
   if (!has_tools(ui))
@@ -108,7 +151,7 @@ void draw_menu(const Ui& ui, const Look& look) {
 
 void draw_toolbar(const Ui& ui) {
   const float height = ui.control(), padding = static_cast<float>(ui.layout.bar_padding);
-  const Look& look =
+  const ToolbarLook& look =
       widest_that_fits(static_cast<float>(ui.layout.toolbar.width()), height, padding);
   begin_card(ui, "toolbar", ui.layout.toolbar,
              {.fixed_width = false, .padding = padding, .scrolls = false});
@@ -123,7 +166,7 @@ void draw_toolbar(const Ui& ui) {
     else
       action_button(ui, parts[i].id, height);
   }
-  ImGui::SameLine(0, gap);
+  ImGui::SameLine(0, tool_gap);
   if (icon_button(ui, "more", Icon::more, true, "More", height)) ImGui::OpenPopup("menu");
   draw_menu(ui, look);
   end_card(ui);
@@ -221,6 +264,163 @@ void draw_notice(const Ui& ui) {
   ImGui::Dummy(ImVec2(0, 0));
   const double height = static_cast<double>(ImGui::GetWindowHeight());
   if (std::abs(height - ui.state.session.notice_height) > 0.5) ui.push(MeasureNotice{height});
+  end_card(ui);
+}
+
+// --- Answers "why here?" beside the pressed part.
+
+namespace {
+
+constexpr double widest = 320, away_from_part = 26;  // pixels from the explained part
+
+Vec2 spot_of(const Ui& ui, const Explanation& explanation) {
+  Vec2 at = ui.state.view.camera.to_screen(explanation.of.at);
+  if (!explanation.of.second) return at;
+  return at + Vec2(ui.layout.second.left - ui.layout.first.left,
+                   ui.layout.second.top - ui.layout.first.top);
+}
+
+// The object's left and right ends in the picture that contains the spot, in pixels.
+std::pair<double, double> ends_of_object(const Ui& ui, const Vec2& spot) {
+  const Rect& second = ui.layout.second;
+  const bool in_second = second.width() > 0 && second.contains(spot);
+  const double shift = in_second ? second.left - ui.layout.first.left : 0;
+  const Box box = bounding_box(ui.state.work.document().vertices);
+  return {ui.state.view.camera.to_screen(box.low).x + shift,
+          ui.state.view.camera.to_screen(box.high).x + shift};
+}
+
+// Beside the object if there is room, else beside the spot, away from the centre of mass. On a
+// narrow screen, over the sheet, below the spot. On a phone on its side, over the panel: at the
+// spot it would cover the object.
+struct CardPlace {
+  Rect rect;
+  bool at_bottom;      // at the bottom of the rectangle
+  bool fills = false;  // as high as the rectangle
+};
+CardPlace place_of(const Ui& ui, const Vec2& spot) {
+  const Rect& free = ui.layout.free;
+  const double margin = ui.layout.margin, left = free.left + margin, right = free.right - margin,
+               top = free.top + margin, bottom = free.bottom - margin;
+  const bool low = spot.y >= free.middle().y;
+  if (!ui.layout.wide) {
+    constexpr double least = 240;  // longer text scrolls
+    const double foot = ui.state.session.screen.height - 4;
+    const double head =
+        std::max(spot.y + away_from_part, free.bottom);  // the loads above the sheet stay visible
+    return {{left, std::clamp(head, top, foot - least), right, foot}, true, true};
+  }
+  if (ui.layout.low && ui.state.view.panel_open) return {ui.layout.panel, false, true};
+  const double width = std::min(widest, right - left);
+  const bool outward_left =
+      spot.x < ui.state.view.camera.to_screen(ui.state.derived().placement->centre_of_mass).x;
+  const double before = spot.x - away_from_part - width, behind = spot.x + away_from_part;
+  const bool at_left = outward_left ? before >= left : behind + width > right;
+  // Beyond the body of a sized robot, as far as there is room.
+  const RobotSize& robot = settings(ui.state).robot;
+  const double body = ui.state.view.camera.scale * (robot.reach + 2 * robot.radius);
+  const auto [begin, end] = ends_of_object(ui, spot);
+  const double off = at_left ? begin - away_from_part - body - width : end + away_from_part + body;
+  const bool beside_object = off >= left && off + width <= right;
+  const double x = beside_object ? off
+                                 : std::clamp(at_left ? before - body : behind + body, left,
+                                              std::max(left, right - width));
+  const double foot =
+      x < ui.layout.tools.right ? std::min(bottom, ui.layout.tools.top - margin) : bottom;
+  if (low) return {{x, top, x + width, std::clamp(spot.y + 20, top, foot)}, true};
+  return {{x, std::clamp(spot.y - 20, top, foot), x + width, foot}, false};
+}
+
+void draw_row(const Ui& ui, const Explanation::Row& row) {
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_text(list, Face::label, low, ui.theme.second_text, row.label);
+  const ImVec2 label = text_size(Face::label, row.label),
+               value = text_size(Face::strong_label, row.value);
+  const bool fits = label.x + value.x + 12 <= width;
+  const float line = line_height(Face::label), top = fits ? low.y : low.y + line;
+  draw_text(list, Face::strong_label, ImVec2(low.x + width - value.x, top), ui.theme.text,
+            row.value);
+  ImGui::Dummy(ImVec2(width, fits ? line : 2 * line));
+}
+
+// What the failure means for the card's robot.
+void draw_failing(const Ui& ui, const Failure& failure, std::size_t robot) {
+  if (failure.robot == robot) {
+    text_block(Face::label, ui.theme.text, failure_words(ui.state, robot));
+    const ShownPlacement rest(failure.placement, shown(ui.state));
+    const bool tips = failure.rest && !failure.rest->stays;
+    text_block(Face::label, ui.theme.second_text,
+               tips ? closure_in_words(rest) : rest_in_words(rest));
+    return;
+  }
+  const LoadRange& load = failure.report.loads[robot];
+  draw_row(ui,
+           {"It carries now", failure.rest && failure.rest->stays
+                                  ? load_in_words(failure.report.model, load,
+                                                  failure.report.greatest, shown(ui.state).units)
+                                  : std::string("nothing")});
+  draw_row(ui, {say("Robot {robot}", {failure.robot + 1}), "fails"});
+}
+
+void draw_fail_button(const Ui& ui, std::size_t robot, float width) {
+  const Failure* failure = failing(ui.state);
+  const bool failed = failure && failure->robot == robot;
+  if (flat_button(ui, "fail", failed ? "Back to work" : "Let it fail", width))
+    ui.push(Fail{failed ? std::nullopt : std::optional<std::size_t>(robot)});
+}
+
+// Side by side if height is scarce.
+void draw_buttons(const Ui& ui, const Explanation& explanation, bool in_a_row) {
+  constexpr float between = 6, padding = 16;
+  const bool can_fail = explanation.robot && !walkthrough_is_open(ui.state);
+  const float width = ImGui::GetContentRegionAvail().x, half = (width - between) / 2;
+  const bool beside = in_a_row && can_fail && explanation.step;
+  const char* lesson = "Show in walkthrough";
+  if (beside && text_size(Face::text, lesson).x + padding > half) lesson = "Walkthrough";
+  if (can_fail) draw_fail_button(ui, *explanation.robot, beside ? half : width);
+  if (beside) ImGui::SameLine(0, between);
+  if (explanation.step && flat_button(ui, "show in lesson", lesson, beside ? half : width))
+    ui.push(ShowInLesson{*explanation.step});
+}
+
+void draw_words(const Ui& ui, const Explanation& explanation) {
+  const Failure* failure = failing(ui.state);
+  if (failure && explanation.robot) return draw_failing(ui, *failure, *explanation.robot);
+  for (const Explanation::Row& row : explanation.rows) draw_row(ui, row);
+  if (!explanation.reason.empty()) text_block(Face::label, ui.theme.text, explanation.reason);
+}
+
+}  // namespace
+
+void draw_why_card(const Ui& ui) {
+  if (!ui.state.derived().explanation || !ui.state.derived().placement ||
+      ui.state.session.screen.embed)
+    return;
+  const Explanation& explanation = *ui.state.derived().explanation;
+  const CardPlace place = place_of(ui, spot_of(ui, explanation));
+  begin_card(ui, "why here", place.rect,
+             {.at_bottom = place.at_bottom,
+              .fixed_height = place.fills,
+              .padding = 14,
+              .scrolls = !place.fills});
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 4));
+  text_block(Face::strong, ui.theme.text, explanation.title, ui.control());
+  const ImVec2 after = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(at.x + width - ui.control() + 8, at.y - 8));
+  if (icon_button(ui, "close explanation", Icon::close, true, "Close (Esc)", ui.control()))
+    ui.push(Explain{});
+  ImGui::SetCursorScreenPos(after);
+  // In a card of fixed height the words scroll and the buttons stay.
+  if (place.fills)
+    begin_scrolling_box(ui, "words", ImGui::GetContentRegionAvail().y - ui.control() - 8);
+  draw_words(ui, explanation);
+  if (place.fills) end_scrolling_box(ui);
+  draw_buttons(ui, explanation, place.fills);
+  ImGui::PopStyleVar();
   end_card(ui);
 }
 

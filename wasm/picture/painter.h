@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "picture/fill_rows.h"
-#include "picture/heat.h"
+#include "picture/scene.h"
+#include "picture/triangulate.h"
 #include "state/camera.h"
 #include "ui/theme.h"
 

@@ -1,4 +1,4 @@
-#include "tools/cursor.h"
+#include "tools/pick.h"
 
 #include "tools/pick.h"
 #include "tools/transform.h"

@@ -7,10 +7,82 @@
 #include "evenlift/document.h"
 #include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
+#include "evenlift/plane.h"
 #include "evenlift/predicates.h"
+#include "evenlift/stands.h"
+#include "evenlift/supports.h"
 #include "evenlift/wording.h"
+#include "state/camera.h"
+#include "tools/brush.h"
+#include "tools/shorter_way.h"
+#include "tools/support_spots.h"
 
 namespace evenlift::view {
+namespace {
+
+Vec2 vertex_on_screen(const AppState& state, std::size_t i) {
+  const Points& vertices = state.work.document().vertices;
+  return state.view.camera.to_screen(vertices[i == vertices.size() ? 0 : i]);
+}
+
+// From 0 to 1; widened to four decimals, since no-go parts are read and typed as text.
+std::optional<Stretch> within_disc(const Vec2& a, const Vec2& b, const Vec2& middle,
+                                   double radius) {
+  const double size = length(b - a);
+  if (!(size > 0)) return std::nullopt;
+  const Vec2 along = (b - a) / size;
+  const double at = dot(middle - a, along), aside = cross(along, middle - a);
+  if (std::fabs(aside) >= radius) return std::nullopt;
+  const double half = std::sqrt((radius - aside) * (radius + aside));
+  constexpr double steps = 1e4;
+  const Stretch part{std::clamp(std::floor((at - half) / size * steps) / steps, 0.0, 1.0),
+                     std::clamp(std::ceil((at + half) / size * steps) / steps, 0.0, 1.0)};
+  return part.from < part.to ? std::optional(part) : std::nullopt;
+}
+
+double reach_of(bool finger) { return finger ? finger_reach : brush_reach; }
+
+}  // namespace
+
+std::optional<BrushedPlace> brushed_place(const AppState& state, const Vec2& screen, bool finger) {
+  std::optional<BrushedPlace> nearest;
+  double least = reach_of(finger);
+  for (std::size_t i = 0; i < state.work.document().vertices.size(); ++i) {
+    const Vec2 a = vertex_on_screen(state, i), b = vertex_on_screen(state, i + 1);
+    const Vec2 at = nearest_on_segment(a, b, screen);
+    if (!(length(at - screen) < least)) continue;
+    least = length(at - screen);
+    nearest = {static_cast<std::uint32_t>(i), length(at - a) / std::max(length(b - a), 1e-300)};
+  }
+  return nearest;
+}
+
+Settings brushed(const AppState& state, const Vec2& from, const Vec2& to, bool finger) {
+  Settings changed = settings(state);
+  const double radius = reach_of(finger);
+  const int steps = std::clamp(static_cast<int>(length(to - from) / (radius / 3)) + 1, 1, 200);
+  for (std::uint32_t i = 0; i < state.work.document().vertices.size(); ++i) {
+    const Vec2 a = vertex_on_screen(state, i), b = vertex_on_screen(state, i + std::size_t{1});
+    for (int step = 0; step <= steps; ++step) {
+      const auto part = within_disc(a, b, from + (to - from) * (double(step) / steps), radius);
+      if (!part) continue;
+      const EdgePart met{i, part->from, part->to};
+      std::vector<EdgePart> marks =
+          state.view.erases ? without_part(changed.no_go, met) : with_part(changed.no_go, met);
+      if (marks.size() <= most_no_go) changed.no_go = std::move(marks);
+    }
+  }
+  return changed;
+}
+
+Settings with_whole_edge(const AppState& state, std::uint32_t edge) {
+  Settings changed = settings(state);
+  std::vector<EdgePart> marks = state.view.erases ? without_part(changed.no_go, {edge, 0, 1})
+                                                  : with_part(changed.no_go, {edge, 0, 1});
+  if (marks.size() <= most_no_go) changed.no_go = std::move(marks);
+  return changed;
+}
+
 namespace {
 
 constexpr std::string_view first_line_of_hole = "hole\n";
@@ -178,6 +250,103 @@ std::optional<KeptDrawing> read_drawing(std::string_view text) {
     points.push_back({*x, *y});
   }
   return kept;
+}
+
+namespace {
+
+// The nearest vertex or else the nearest point, within reach.
+std::optional<Vec2> on_outline(const Points& vertices, const Vec2& to, double reach) {
+  std::optional<Vec2> edge;
+  double least = reach;
+  for (const Vec2& vertex : vertices) {
+    if (length(vertex - to) > least) continue;
+    least = length(vertex - to);
+    edge = vertex;
+  }
+  if (edge) return edge;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec2 at =
+        nearest_on_segment(vertices[i], vertices[i + 1 == vertices.size() ? 0 : i + 1], to);
+    if (length(at - to) > least) continue;
+    least = length(at - to);
+    edge = at;
+  }
+  return edge;
+}
+
+}  // namespace
+
+std::optional<Vec2> even_spot(const AppState& state, const Vec2& to,
+                              std::optional<std::size_t> robot, double reach) {
+  const Placement& placement = *state.derived().placement;
+  const SupportPlacer placer(placement.object, placement.settings);
+  const Points robots = positions(lifting_points(placement.teams));
+  std::optional<Vec2> nearest;
+  double least = reach / state.view.camera.scale;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    if (robot == i) continue;
+    const Vec2 opposite = 2 * placement.centre_of_mass - robots[i];
+    if (length(opposite - to) > least || !placer.place(opposite)) continue;
+    least = length(opposite - to);
+    nearest = opposite;
+  }
+  return nearest;
+}
+
+std::optional<Vec2> support_spot(const AppState& state, const Vec2& to,
+                                 std::optional<std::size_t> robot) {
+  if (const auto even = even_spot(state, to, robot, even_reach)) return even;
+  const Placement& placement = *state.derived().placement;
+  if (const auto edge = on_outline(placement.vertices(), to, edge_reach / state.view.camera.scale))
+    return edge;
+  if (!inside(placement.vertices(), to) || placement.object.hole_around(to)) return std::nullopt;
+  return rounded_to_pixels(state.view.camera, to);
+}
+
+bool holds_support(const AppState& state) {
+  return state.view.held.kind == Pick::Kind::robot && state.work.edit_open &&
+         state.work.document().settings.method == Method::given;
+}
+
+namespace {
+
+// In the order of the list of vertices.
+Points forward_way(const Points& vertices, const LiftingPoint& from, const LiftingPoint& to) {
+  const std::size_t n = vertices.size();
+  const Vec2& start = vertices[from.edge];
+  const bool ahead = length(to.position - start) >= length(from.position - start);
+  Points way{from.position};
+  if (from.edge != to.edge || !ahead) {
+    std::size_t edge = from.edge;
+    do {
+      edge = (edge + 1) % n;
+      way.push_back(vertices[edge]);
+    } while (edge != to.edge);
+  }
+  way.push_back(to.position);
+  return way;
+}
+
+double length_of(const Points& way) {
+  double sum = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) sum += length(way[i] - way[i - 1]);
+  return sum;
+}
+
+}  // namespace
+
+Points shorter_way(const Points& vertices, const LiftingPoint& from, const LiftingPoint& to) {
+  Points there = forward_way(vertices, from, to), back = forward_way(vertices, to, from);
+  if (length_of(there) <= length_of(back)) return there;
+  std::reverse(back.begin(), back.end());
+  return back;
+}
+
+std::string closed_in_words(const Placement& placement, std::size_t robot) {
+  return say(placement.settings.method == Method::balanced
+                 ? "Robot {robot} cannot go there: no two neighbours could keep all loads equal."
+                 : "Robot {robot} cannot go there: other robots are in the way.",
+             {robot + 1});
 }
 
 }  // namespace evenlift::view

@@ -7,7 +7,7 @@
 #include "evenlift/plane.h"
 #include "state/layout.h"
 #include "tools/drawing.h"
-#include "tools/handles.h"
+#include "tools/pick.h"
 
 namespace evenlift::view {
 namespace {

@@ -1,17 +1,79 @@
 #include "walkthrough/explain.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "evenlift/output/trace_words.h"
 #include "evenlift/output/words.h"
+#include "evenlift/plane.h"
 #include "evenlift/why_not.h"
 #include "evenlift/wording.h"
+#include "state/notice.h"
 #include "state/opened.h"
+#include "walkthrough/ask_why.h"
+#include "walkthrough/under_pointer.h"
 
 namespace evenlift::view {
+namespace {
+
+void ask_why_no_robot(AppState& state, const Vec2& at) {
+  Walkthrough& walk = state.view.walkthrough;
+  const double reach = (state.session.screen.touch ? 22 : 14) / state.view.camera.scale;
+  const WhyNoRobot answer = why_no_robot(*walk.trace, walk.at, at, reach);
+  walk.why = why_no_robot_text(*walk.trace, answer);
+  walk.why_taken =
+      answer.why == WhyNoRobot::Why::stands || answer.why == WhyNoRobot::Why::stands_from_start;
+  walk.asked_places = {answer.place.position};
+  for (const LiftingPoint& robot : answer.set.came)
+    if (!walk.why_taken) walk.asked_places.push_back(robot.position);
+  announce(state, walk.why);
+}
+
+}  // namespace
+
+void forget_why(Walkthrough& walk) {
+  walk.asked.reset();
+  walk.asked_places.clear();
+  walk.why.clear();
+  walk.why_taken = false;
+}
+
+void ask_why(AppState& state, const Vec2& at) {
+  Walkthrough& walk = state.view.walkthrough;
+  if (!walkthrough_is_open(state)) return;
+  if (walk.trace->balanced()) return ask_why_no_robot(state, at);
+  const Trace& trace = *walk.trace;
+  const auto& candidates = trace.placement.candidates;
+  const double reach = 9 / state.view.camera.scale;
+  std::optional<std::uint32_t> nearest;
+  double least = reach;
+  for (std::uint32_t c = 0; c < candidates.size(); ++c) {
+    const Chord& chord = candidates[c].chord;
+    const double away = length(nearest_on_segment(chord.r1.position, chord.r2.position, at) - at);
+    if (away < least) {
+      least = away;
+      nearest = c;
+    }
+  }
+  if (!nearest && !inside(trace.placement.vertices(), at)) return forget_why(walk);
+  WhyNot answer;
+  if (nearest) {
+    answer = why_not(trace, walk.at, *nearest);
+    walk.asked = candidates[*nearest].chord;
+  } else {
+    const std::optional<Chord> chord = chord_at(trace, at);
+    answer = why_not_chord(trace, walk.at, chord);
+    walk.asked = chord;
+  }
+  walk.why = why_not_text(trace, answer);
+  walk.why_taken = answer.why == Why::taken;
+  announce(state, walk.why);
+}
+
 namespace {
 
 std::string part_of_weight(const std::string& load, const Placement& placement,
@@ -184,6 +246,50 @@ std::string in_words(const Explanation& explanation) {
   for (const Explanation::Row& row : explanation.rows)
     text += " " + say("{label}: {value}.", {row.label, row.value});
   return text + " " + explanation.reason;
+}
+
+std::optional<std::uint32_t> choice_at(const AppState& state, const Vec2& screen) {
+  const Walkthrough& walk = state.view.walkthrough;
+  if (!walk.ask) return std::nullopt;
+  std::optional<std::uint32_t> nearest;
+  double least = state.session.screen.touch ? 22 : 12;
+  for (const std::uint32_t choice : walk.ask->choices) {
+    const Chord& chord = chord_of_choice(*walk.trace, walk.ask->detail, walk.ask->question, choice);
+    const Vec2 a = state.view.camera.to_screen(chord.r1.position);
+    const Vec2 b = state.view.camera.to_screen(chord.r2.position);
+    const double away = length(nearest_on_segment(a, b, screen) - screen);
+    if (away < least) {
+      least = away;
+      nearest = choice;
+    }
+  }
+  return nearest;
+}
+
+std::optional<std::size_t> figure_at(const AppState& state, const Vec2& screen) {
+  const std::vector<Figure>& figures = state.view.walkthrough.figures;
+  std::optional<std::size_t> best;
+  double best_score = 0;
+  // Later figures are above earlier ones.
+  for (std::size_t i = figures.size(); i-- > 0;) {
+    const Points& p = figures[i].points;
+    std::optional<double> score;
+    if (p.size() == 1 && figures[i].kind != FigureKind::gain_circle) {
+      const double away = length(state.view.camera.to_screen(p[0]) - screen);
+      if (away <= 14) score = away;
+    } else if (p.size() == 2) {
+      const Vec2 a = state.view.camera.to_screen(p[0]), b = state.view.camera.to_screen(p[1]);
+      const double away = length(nearest_on_segment(a, b, screen) - screen);
+      if (away <= 7) score = 100 + away;
+    } else if (p.size() > 2 && inside(p, state.view.camera.to_world(screen))) {
+      score = 1000;
+    }
+    if (score && (!best || *score < best_score)) {
+      best_score = *score;
+      best = i;
+    }
+  }
+  return best;
 }
 
 }  // namespace evenlift::view

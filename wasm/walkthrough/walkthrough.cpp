@@ -1,6 +1,10 @@
 #include "walkthrough/walkthrough.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,10 +14,220 @@
 #include "evenlift/wording.h"
 #include "state/notice.h"
 #include "walkthrough/ask_why.h"
+#include "walkthrough/playing.h"
+#include "walkthrough/questions.h"
 #include "walkthrough/script.h"
 #include "walkthrough/timeline.h"
 
 namespace evenlift::view {
+
+void find_stops(Walkthrough& walk) {
+  if (!walk.script) return;
+  Script& script = *walk.script;
+  script.stops.clear();
+  for (const LessonStep& step : script.lesson.steps) {
+    if (const auto found = find_step(*walk.trace, step.address))
+      script.stops.push_back({*found, step.words});
+  }
+  if (script.stops.empty()) return walk.script.reset();
+  script.position = std::min(script.position, script.stops.size() - 1);
+}
+
+void settle_position(Walkthrough& walk) {
+  if (!walk.script) return;
+  Script& script = *walk.script;
+  if (script.stops[script.position].step == walk.at) return;
+  const auto exact = std::find_if(script.stops.begin(), script.stops.end(),
+                                  [&](const Stop& s) { return s.step == walk.at; });
+  const auto later = std::find_if(script.stops.begin(), script.stops.end(),
+                                  [&](const Stop& s) { return s.step > walk.at; });
+  const auto at = exact != script.stops.end() ? exact : later;
+  const auto index = at - script.stops.begin();
+  script.position = static_cast<std::size_t>(
+      exact != script.stops.end() ? index : std::max<std::ptrdiff_t>(index - 1, 0));
+}
+
+void begin_script(AppState& state, Script script) {
+  Walkthrough& walk = state.view.walkthrough;
+  walk.predict = script.lesson.predict;
+  walk.guesses = {};
+  walk.all_steps = false;
+  walk.aside.reset();
+  walk.script = std::move(script);
+  walk.script->depth = state.work.history.depth();
+  find_stops(walk);
+  settle_position(walk);
+}
+
+bool script_is_true(const AppState& state) {
+  const std::optional<Script>& script = state.view.walkthrough.script;
+  const Document& document = state.work.document();
+  return script && script->of.vertices == document.vertices && script->of.holes == document.holes &&
+         script->of.centre_of_mass == document.centre_of_mass;
+}
+
+std::string words_of_stop(const AppState& state) {
+  const Walkthrough& walk = state.view.walkthrough;
+  if (!walk.script || walk.ask) return {};
+  const Document& of = walk.script->of;
+  if (!script_is_true(state) || of.settings != settings(state) ||
+      seen_as(of.shown, shown(state)) != shown(state))
+    return say(
+        "You changed the shape or a setting, so the lesson's words no longer apply. Undo brings them back.");
+  const Stop& stop = walk.script->stops[walk.script->position];
+  return stop.step == walk.at ? stop.words : std::string();
+}
+
+Timeline timeline(const AppState& state) {
+  const Walkthrough& walk = state.view.walkthrough;
+  if (!walk.trace) return {};
+  if (walk.script)
+    return {static_cast<std::uint32_t>(walk.script->position),
+            static_cast<std::uint32_t>(walk.script->stops.size())};
+  if (walk.all_steps) return {walk.at, walk.trace->size()};
+  const auto at = std::lower_bound(walk.main.begin(), walk.main.end(), walk.at);
+  return {static_cast<std::uint32_t>(at - walk.main.begin()),
+          static_cast<std::uint32_t>(walk.main.size())};
+}
+
+std::uint32_t step_of(const AppState& state, std::uint32_t position) {
+  const Walkthrough& walk = state.view.walkthrough;
+  if (!walk.script && walk.all_steps) return position;
+  if (!walk.script) return walk.main[std::min<std::size_t>(position, walk.main.size() - 1)];
+  return walk.script->stops[std::min<std::size_t>(position, walk.script->stops.size() - 1)].step;
+}
+
+std::optional<std::uint32_t> position_of(const AppState& state, std::uint32_t step) {
+  const Walkthrough& walk = state.view.walkthrough;
+  if (!walk.script && walk.all_steps) return step;
+  const Timeline now = timeline(state);
+  if (step_of(state, now.at) == step) return now.at;
+  for (std::uint32_t position = 0; position < now.count; ++position)
+    if (step_of(state, position) == step) return position;
+  return std::nullopt;
+}
+
+std::vector<ChapterPart> chapter_parts(const AppState& state) {
+  const Walkthrough& walk = state.view.walkthrough;
+  const Timeline now = timeline(state);
+  if (!walk.trace || walk.script) return {{0, now.count}};
+  std::vector<ChapterPart> parts;
+  for (std::uint32_t c = 0; c < chapter_count; ++c) {
+    const auto begin = walk.trace->chapter_begin(static_cast<Chapter>(c));
+    if (!begin) continue;
+    std::uint32_t first = *begin;
+    if (!walk.all_steps)
+      first = static_cast<std::uint32_t>(
+          std::lower_bound(walk.main.begin(), walk.main.end(), *begin) - walk.main.begin());
+    if (!parts.empty()) parts.back().count = first - parts.back().first;
+    if (!parts.empty() && parts.back().count == 0) parts.pop_back();
+    parts.push_back({first, now.count - first});
+  }
+  return parts;
+}
+
+double share_of(const std::vector<ChapterPart>& parts, std::uint32_t position) {
+  std::size_t i = parts.size() - 1;
+  while (i > 0 && parts[i].first > position) --i;
+  const bool last = i + 1 == parts.size();
+  const double within = position - parts[i].first;
+  // The last step is at the very end of the timeline.
+  const double inside = !last                ? within / parts[i].count
+                        : parts[i].count > 1 ? within / (parts[i].count - 1)
+                        : parts.size() > 1   ? 1.0
+                                             : 0.0;
+  return (static_cast<double>(i) + inside) / static_cast<double>(parts.size());
+}
+
+std::uint32_t position_at(const std::vector<ChapterPart>& parts, double share) {
+  const double scaled = std::clamp(share, 0.0, 1.0) * static_cast<double>(parts.size());
+  const std::size_t i = std::min(static_cast<std::size_t>(scaled), parts.size() - 1);
+  const bool last = i + 1 == parts.size();
+  const double steps = parts[i].count - (last ? 1.0 : 0.0);
+  return parts[i].first +
+         static_cast<std::uint32_t>(std::lround((scaled - static_cast<double>(i)) * steps));
+}
+
+namespace {
+
+std::optional<std::uint32_t> next_step(const AppState& state, int by) {
+  const Timeline now = timeline(state);
+  const auto wanted = static_cast<std::int64_t>(now.at) + by;
+  if (wanted < 0 || wanted >= now.count) return std::nullopt;
+  return step_of(state, static_cast<std::uint32_t>(wanted));
+}
+
+}  // namespace
+
+void move_steps(AppState& state, int by) {
+  Walkthrough& walk = state.view.walkthrough;
+  if (!walkthrough_is_open(state)) return;
+  const auto next = next_step(state, by);
+  if (!next) {
+    walk.playing = false;
+    return;
+  }
+  const bool asked_already = walk.ask && walk.ask->step == *next;
+  if (by > 0 && walk.predict && !asked_already && is_choice(*walk.trace, *next)) {
+    ask(state, *next);
+    if (walk.ask) return;
+  }
+  go_to_position(state, timeline(state).at + static_cast<std::uint32_t>(by));
+}
+
+void move_chapters(AppState& state, int by) {
+  Walkthrough& walk = state.view.walkthrough;
+  if (!walkthrough_is_open(state)) return;
+  const Timeline now = timeline(state);
+  const auto chapter = [&](std::uint32_t position) {
+    return walk.trace->step(step_of(state, position)).chapter;
+  };
+  const auto begin = [&](std::uint32_t position) {
+    while (position > 0 && chapter(position - 1) == chapter(position)) --position;
+    return position;
+  };
+  if (by < 0) {
+    const std::uint32_t own = begin(now.at);
+    return go_to_position(state, own < now.at || own == 0 ? own : begin(own - 1));
+  }
+  std::uint32_t to = now.at;
+  while (to + 1 < now.count && chapter(to) == chapter(now.at)) ++to;
+  go_to_position(state, to);
+}
+
+void set_playing(AppState& state, bool playing) {
+  Walkthrough& walk = state.view.walkthrough;
+  if (!walkthrough_is_open(state)) return;
+  if (playing && !next_step(state, 1)) go_to_position(state, 0);
+  walk.playing = playing;
+  walk.turn_at.reset();
+  if (!playing) emit(state, DropFrameAfter{});
+}
+
+void set_speed(AppState& state, double speed) {
+  state.view.walkthrough.speed = std::clamp(speed, slowest_speed, fastest_speed);
+  state.view.walkthrough.turn_at.reset();
+}
+
+bool turn_over(AppState& state, double now) {
+  Walkthrough& walk = state.view.walkthrough;
+  if (!walkthrough_is_open(state) || !walk.playing) return false;
+  if (!walk.turn_at) {
+    const double letters = static_cast<double>(walk.caption.size() + words_of_stop(state).size());
+    const double pause = std::clamp(1 + 0.035 * letters, 1.5, 12.0) / walk.speed;
+    walk.turn_at = now + pause;
+    emit(state, FrameAfter{pause});
+    return false;
+  }
+  if (now < *walk.turn_at) {
+    if (*walk.turn_at - now < 0.05) emit(state, NextFrame{});
+    return false;
+  }
+  move_steps(state, 1);
+  emit(state, NextFrame{});
+  return true;
+}
+
 namespace {
 
 constexpr std::size_t most_visited = 60;

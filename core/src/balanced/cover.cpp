@@ -1,10 +1,11 @@
+#include "balanced/cover.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <optional>
 
-#include "balanced/cover.h"
 #include "evenlift/hull.h"
 #include "evenlift/plane.h"
 #include "exact/sorted_indices.h"

@@ -1,10 +1,11 @@
+#include "balanced/rules.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "balanced/completions.h"
 #include "balanced/outline.h"
-#include "balanced/rules.h"
 #include "balanced/triples.h"
 #include "evenlift/failures.h"
 #include "evenlift/predicates.h"

@@ -1,3 +1,5 @@
+#include "candidates/candidate_order.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +9,6 @@
 #include <span>
 #include <utility>
 
-#include "candidates/candidate_order.h"
 #include "candidates/candidate_seeds.h"
 #include "candidates/duplicates.h"
 #include "candidates/pair_range.h"

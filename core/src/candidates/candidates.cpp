@@ -1,3 +1,5 @@
+#include "evenlift/candidates.h"
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -10,7 +12,6 @@
 #include "candidates/pair_range.h"
 #include "chords/opposite_vertices.h"
 #include "chords/radial_view.h"
-#include "evenlift/candidates.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
 

@@ -1,9 +1,10 @@
+#include "candidates/pair_candidate.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "candidates/common_range.h"
-#include "candidates/pair_candidate.h"
 #include "candidates/pair_range.h"
 #include "chords/opposite_vertices.h"
 #include "chords/section.h"

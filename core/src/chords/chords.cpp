@@ -1,3 +1,5 @@
+#include "evenlift/chords.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -5,7 +7,6 @@
 #include "chords/opposite_vertices.h"
 #include "chords/radial_view.h"
 #include "chords/section.h"
-#include "evenlift/chords.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"

@@ -1,8 +1,9 @@
+#include "chords/ray_caster.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "chords/ray_caster.h"
 #include "chords/section.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"

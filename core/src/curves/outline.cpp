@@ -1,7 +1,7 @@
+#include "curves/outline.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "curves/outline.h"
 
 namespace evenlift {
 namespace {

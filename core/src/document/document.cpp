@@ -1,9 +1,10 @@
+#include "evenlift/document.h"
+
 #include <algorithm>
 #include <vector>
 
 #include "document/setting_values.h"
 #include "evenlift/closest_name.h"
-#include "evenlift/document.h"
 #include "evenlift/numbers.h"
 #include "evenlift/settings.h"
 #include "evenlift/similar_setting.h"

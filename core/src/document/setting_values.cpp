@@ -1,11 +1,12 @@
 // Values with their own syntax.
+#include "document/setting_values.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "document/list_text.h"
-#include "document/setting_values.h"
 #include "evenlift/angles.h"
 #include "evenlift/numbers.h"
 #include "evenlift/settings.h"

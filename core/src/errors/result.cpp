@@ -1,8 +1,9 @@
+#include "evenlift/result.h"
+
 #include <algorithm>
 #include <cstddef>
 
 #include "evenlift/closest_name.h"
-#include "evenlift/result.h"
 #include "evenlift/wording.h"
 
 namespace evenlift {

@@ -1,10 +1,11 @@
+#include "exact/dyadic.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "evenlift/angles.h"
-#include "exact/dyadic.h"
 #include "exact/sorted_indices.h"
 
 namespace evenlift {

@@ -1,7 +1,8 @@
+#include "evenlift/predicates.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 #include "exact/double_double.h"
 #include "exact/dyadic.h"

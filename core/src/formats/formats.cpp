@@ -1,10 +1,11 @@
 // The thesis's format (appendix A.1): optionally `CoM:(x,y)` on the first line, then one `(x,y)` on
 // each line. Lines for holes and cargo, which the thesis lacks, may follow.
+#include "evenlift/formats.h"
+
 #include <string>
 #include <utility>
 
 #include "document/setting_values.h"
-#include "evenlift/formats.h"
 #include "evenlift/wording.h"
 #include "formats/readers.h"
 #include "numbers/number_text.h"

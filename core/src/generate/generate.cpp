@@ -1,6 +1,8 @@
 // Irregular convex polygons by Valtr's method (P. Valtr, Probability that n random points are in
 // convex position, 1995): draw the steps of two closed walks, pair them at random as x and y of
 // vectors, and sort these by direction.
+#include "evenlift/generate.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -9,7 +11,6 @@
 
 #include "evenlift/angles.h"
 #include "evenlift/document.h"
-#include "evenlift/generate.h"
 #include "evenlift/wording.h"
 #include "generate/families.h"
 

@@ -1,9 +1,10 @@
+#include "evenlift/closure.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
-#include "evenlift/closure.h"
 #include "evenlift/hull.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"

@@ -1,10 +1,11 @@
+#include "evenlift/stability.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
 #include "evenlift/loads.h"
-#include "evenlift/stability.h"
 #include "evenlift/tolerance.h"
 #include "polygon/area_in_hull.h"
 #include "polygon/clip.h"

@@ -1,3 +1,5 @@
+#include "import/gathering.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -6,7 +8,6 @@
 #include "evenlift/numbers.h"
 #include "evenlift/wording.h"
 #include "formats/readers.h"
-#include "import/gathering.h"
 #include "import/joining/nesting.h"
 #include "numbers/number_text.h"
 #include "numbers/utf8.h"

@@ -1,3 +1,5 @@
+#include "import/other_kinds.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -10,7 +12,6 @@
 #include "evenlift/numbers.h"
 #include "evenlift/predicates.h"
 #include "evenlift/vec.h"
-#include "import/other_kinds.h"
 #include "import/tables/cells.h"
 #include "import/tables/table_headings.h"
 #include "numbers/text_cursor.h"

@@ -1,3 +1,5 @@
+#include "import/wkt_shapes.h"
+
 #include <algorithm>
 #include <iterator>
 #include <string>
@@ -10,7 +12,6 @@
 #include "import/gathering.h"
 #include "import/tables/cells.h"
 #include "import/tables/table_headings.h"
-#include "import/wkt_shapes.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {

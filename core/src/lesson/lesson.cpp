@@ -1,10 +1,11 @@
+#include "evenlift/lesson.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "evenlift/centre_of_mass.h"
-#include "evenlift/lesson.h"
 #include "evenlift/link.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"

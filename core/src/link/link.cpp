@@ -1,3 +1,5 @@
+#include "evenlift/link.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -6,7 +8,6 @@
 
 #include "evenlift/document.h"
 #include "evenlift/lesson_link.h"
-#include "evenlift/link.h"
 #include "evenlift/numbers.h"
 #include "evenlift/settings.h"
 #include "evenlift/wording.h"

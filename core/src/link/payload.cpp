@@ -1,3 +1,5 @@
+#include "link/payload.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +11,6 @@
 #include "evenlift/settings.h"
 #include "exact/sorted_indices.h"
 #include "link/encodings.h"
-#include "link/payload.h"
 #include "link/records.h"
 #include "link/settings.h"
 #include "link/vertices.h"

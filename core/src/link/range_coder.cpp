@@ -1,3 +1,5 @@
+#include "link/range_coder.h"
+
 #include <algorithm>
 #include <bit>
 #include <cassert>
@@ -9,7 +11,6 @@
 #include "link/encodings.h"
 #include "link/quantized.h"
 #include "link/quantizer.h"
-#include "link/range_coder.h"
 
 namespace evenlift {
 namespace {

@@ -1,3 +1,5 @@
+#include "numbers/json_tree.h"
+
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -5,7 +7,6 @@
 
 #include "evenlift/wording.h"
 #include "numbers/json_events.h"
-#include "numbers/json_tree.h"
 #include "numbers/number_text.h"
 #include "numbers/text_cursor.h"
 

@@ -1,3 +1,5 @@
+#include "evenlift/optimum.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -5,7 +7,6 @@
 #include <utility>
 
 #include "evenlift/closure.h"
-#include "evenlift/optimum.h"
 #include "evenlift/stability.h"
 #include "evenlift/stands.h"
 #include "evenlift/tolerance.h"

@@ -1,8 +1,9 @@
+#include "evenlift/capacity.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "evenlift/balanced.h"
-#include "evenlift/capacity.h"
 #include "evenlift/hull.h"
 #include "evenlift/load_models.h"
 #include "evenlift/selection.h"

@@ -1,10 +1,11 @@
+#include "evenlift/placed_robots.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "evenlift/angles.h"
 #include "evenlift/closure.h"
-#include "evenlift/placed_robots.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tilt.h"
 #include "evenlift/tolerance.h"

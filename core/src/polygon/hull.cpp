@@ -1,3 +1,5 @@
+#include "evenlift/hull.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -7,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "evenlift/hull.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 #include "exact/pseudo_angle.h"

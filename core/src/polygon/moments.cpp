@@ -1,3 +1,5 @@
+#include "polygon/moments.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,7 +14,6 @@
 #include "exact/sorted_indices.h"
 #include "polygon/coordinates.h"
 #include "polygon/half_planes.h"
-#include "polygon/moments.h"
 
 namespace evenlift {
 namespace {

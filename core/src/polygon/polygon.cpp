@@ -1,3 +1,5 @@
+#include "evenlift/polygon.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -8,7 +10,6 @@
 #include "evenlift/document.h"
 #include "evenlift/hull.h"
 #include "evenlift/plane.h"
-#include "evenlift/polygon.h"
 #include "evenlift/polygon_with_holes.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"

@@ -1,10 +1,11 @@
+#include "evenlift/report.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "evenlift/predicates.h"
-#include "evenlift/report.h"
 #include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
 #include "exact/sorted_indices.h"

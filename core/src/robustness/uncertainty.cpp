@@ -1,3 +1,5 @@
+#include "evenlift/uncertainty.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -5,7 +7,6 @@
 
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
-#include "evenlift/uncertainty.h"
 #include "exact/pseudo_angle.h"
 #include "exact/sorted_indices.h"
 #include "robustness/known_size.h"

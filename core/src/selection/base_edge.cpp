@@ -1,3 +1,5 @@
+#include "selection/base_edge.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,7 +10,6 @@
 #include "exact/pseudo_angle.h"
 #include "exact/sorted_indices.h"
 #include "polygon/clip.h"
-#include "selection/base_edge.h"
 #include "selection/gain_bounds.h"
 
 namespace evenlift {

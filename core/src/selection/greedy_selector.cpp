@@ -1,3 +1,5 @@
+#include "selection/greedy_selector.h"
+
 #include <algorithm>
 #include <numeric>
 #include <span>
@@ -9,7 +11,6 @@
 #include "evenlift/tolerance.h"
 #include "exact/pseudo_angle.h"
 #include "polygon/straight_corner.h"
-#include "selection/greedy_selector.h"
 #include "selection/growing_base.h"
 
 namespace evenlift {

@@ -1,10 +1,11 @@
+#include "evenlift/selection.h"
+
 #include <algorithm>
 
 #include "chords/ray_caster.h"
 #include "chords/section.h"
 #include "evenlift/angles.h"
 #include "evenlift/random.h"
-#include "evenlift/selection.h"
 #include "selection/equal_angles.h"
 #include "selection/greedy_selector.h"
 

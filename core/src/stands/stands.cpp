@@ -1,3 +1,5 @@
+#include "evenlift/stands.h"
+
 #include <algorithm>
 #include <limits>
 #include <memory>
@@ -7,7 +9,6 @@
 
 #include "evenlift/numbers.h"
 #include "evenlift/settings.h"
-#include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
 #include "exact/sorted_indices.h"

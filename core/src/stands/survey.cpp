@@ -1,3 +1,5 @@
+#include "stands/survey.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,7 +15,6 @@
 #include "stands/losses.h"
 #include "stands/near_edges.h"
 #include "stands/obstacles.h"
-#include "stands/survey.h"
 
 namespace evenlift {
 namespace {

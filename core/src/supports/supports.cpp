@@ -1,3 +1,5 @@
+#include "evenlift/supports.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +12,6 @@
 #include "evenlift/numbers.h"
 #include "evenlift/plane.h"
 #include "evenlift/settings.h"
-#include "evenlift/supports.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
 #include "numbers/number_text.h"

@@ -1,10 +1,11 @@
+#include "swaps/rounds.h"
+
 #include <algorithm>
 #include <utility>
 
 #include "balanced/cover.h"
 #include "evenlift/tolerance.h"
 #include "grasp/hold_levels.h"
-#include "swaps/rounds.h"
 
 namespace evenlift::swaps {
 namespace {

@@ -1,6 +1,6 @@
-#include <algorithm>
-
 #include "trace/step_figures.h"
+
+#include <algorithm>
 
 namespace evenlift {
 

@@ -1,10 +1,11 @@
+#include "trace/step_numbers.h"
+
 #include <algorithm>
 
 #include "evenlift/angles.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/selection.h"
 #include "evenlift/stability.h"
-#include "trace/step_numbers.h"
 
 namespace evenlift {
 

@@ -1,11 +1,12 @@
 // Explains why no balanced robot stands at a place.
+#include "evenlift/why_not.h"
+
 #include <algorithm>
 
 #include "chords/ray_caster.h"
 #include "chords/section.h"
 #include "evenlift/plane.h"
 #include "evenlift/tolerance.h"
-#include "evenlift/why_not.h"
 #include "trace/balanced_steps.h"
 #include "trace/margin_of.h"
 

@@ -1,10 +1,11 @@
+#include "evenlift/experiment/measure.h"
+
 #include <algorithm>
 #include <utility>
 
 #include "evenlift/balanced.h"
 #include "evenlift/centre_of_mass.h"
 #include "evenlift/closure.h"
-#include "evenlift/experiment/measure.h"
 #include "evenlift/hull.h"
 #include "evenlift/loads.h"
 #include "evenlift/selection.h"

@@ -1,7 +1,8 @@
+#include "evenlift/experiment/results.h"
+
 #include <algorithm>
 #include <tuple>
 
-#include "evenlift/experiment/results.h"
 #include "evenlift/experiment/shard_list.h"
 #include "evenlift/formats.h"
 #include "evenlift/numbers.h"

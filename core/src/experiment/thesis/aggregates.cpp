@@ -1,9 +1,10 @@
+#include "evenlift/experiment/aggregates.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
 
-#include "evenlift/experiment/aggregates.h"
 #include "evenlift/experiment/algorithm_average.h"
 #include "evenlift/experiment/few_robots.h"
 #include "evenlift/numbers.h"

@@ -1,3 +1,5 @@
+#include "experiment/thesis/by_polygon.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -7,7 +9,6 @@
 #include "evenlift/experiment/algorithm_average.h"
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
-#include "experiment/thesis/by_polygon.h"
 #include "experiment/thesis/sentences.h"
 
 namespace evenlift::experiment {

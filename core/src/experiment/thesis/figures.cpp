@@ -1,7 +1,8 @@
+#include "evenlift/experiment/figures.h"
+
 #include <algorithm>
 
 #include "evenlift/experiment/algorithm_average.h"
-#include "evenlift/experiment/figures.h"
 #include "evenlift/experiment/outputs.h"
 #include "evenlift/output/json_text.h"
 #include "evenlift/wording.h"

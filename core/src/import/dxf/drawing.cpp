@@ -1,10 +1,11 @@
+#include "import/dxf/drawing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
 #include "evenlift/numbers.h"
 #include "import/dxf/degrees.h"
-#include "import/dxf/drawing.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {

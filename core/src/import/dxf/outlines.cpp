@@ -1,9 +1,10 @@
+#include "import/dxf/outlines.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "import/dxf/degrees.h"
-#include "import/dxf/outlines.h"
 #include "import/dxf/spline.h"
 
 namespace evenlift {

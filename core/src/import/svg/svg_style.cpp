@@ -1,3 +1,5 @@
+#include "import/svg/svg_style.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -6,7 +8,6 @@
 
 #include "import/svg/svg_element.h"
 #include "import/svg/svg_paper.h"
-#include "import/svg/svg_style.h"
 #include "import/svg/svg_values.h"
 #include "numbers/number_text.h"
 #include "numbers/text_cursor.h"

@@ -1,7 +1,8 @@
+#include "evenlift/output/json.h"
+
 #include <cmath>
 
 #include "evenlift/candidates.h"
-#include "evenlift/output/json.h"
 #include "evenlift/output/json_text.h"
 #include "evenlift/output/verdict.h"
 #include "evenlift/settings.h"

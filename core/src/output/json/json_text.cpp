@@ -1,8 +1,9 @@
+#include "evenlift/output/json_text.h"
+
 #include <algorithm>
 
 #include "evenlift/numbers.h"
 #include "evenlift/output/json.h"
-#include "evenlift/output/json_text.h"
 #include "evenlift/output/words.h"
 
 namespace evenlift::json {

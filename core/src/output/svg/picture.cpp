@@ -1,9 +1,10 @@
+#include "evenlift/output/picture.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "evenlift/angles.h"
 #include "evenlift/output/label_places.h"
-#include "evenlift/output/picture.h"
 
 namespace evenlift {
 namespace {

@@ -1,3 +1,5 @@
+#include "output/svg/svg_parts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,7 +11,6 @@
 #include "evenlift/output/words.h"
 #include "evenlift/plane.h"
 #include "evenlift/stands.h"
-#include "output/svg/svg_parts.h"
 #include "output/words/ascii_number.h"
 
 namespace evenlift {

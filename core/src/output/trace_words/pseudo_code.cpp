@@ -1,3 +1,5 @@
+#include "output/trace_words/pseudo_code.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +9,6 @@
 #include "evenlift/output/words.h"
 #include "evenlift/stands.h"
 #include "evenlift/wording.h"
-#include "output/trace_words/pseudo_code.h"
 #include "output/trace_words/step_words.h"
 #include "output/trace_words/trace_text.h"
 

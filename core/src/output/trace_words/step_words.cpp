@@ -1,3 +1,5 @@
+#include "output/trace_words/step_words.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -11,7 +13,6 @@
 #include "evenlift/wording.h"
 #include "output/trace_words/step_captions.h"
 #include "output/trace_words/step_formulas.h"
-#include "output/trace_words/step_words.h"
 
 namespace evenlift {
 namespace {

@@ -1,3 +1,5 @@
+#include "evenlift/output/verdict.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +9,6 @@
 #include "evenlift/output/quantities.h"
 #include "evenlift/output/requirements.h"
 #include "evenlift/output/robustness_words.h"
-#include "evenlift/output/verdict.h"
 #include "evenlift/output/words.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"

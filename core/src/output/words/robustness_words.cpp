@@ -1,9 +1,10 @@
+#include "evenlift/output/robustness_words.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
 
 #include "evenlift/output/carrying_words.h"
-#include "evenlift/output/robustness_words.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
 #include "output/words/listed.h"
