@@ -3,8 +3,13 @@
 // that cli.md names under "Exit status and errors".
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "evenlift/output/requirements.h"
+#include "input/options.h"
+#include "print/table.h"
 
 namespace evenlift::native {
 
@@ -17,5 +22,26 @@ void cmd_trace(const Arguments& arguments);
 void cmd_optimum(const Arguments& arguments);
 void cmd_check(const Arguments& arguments);
 void cmd_experiment(const Arguments& arguments);
+
+struct PlaceOptions {
+  InputOptions input;
+  RobustnessOptions robustness;
+  bool as_json = false, candidates = false, even_out = false;
+  std::optional<std::string> require;
+  std::optional<std::string> svg;
+  PoseFileOptions poses;
+
+  void declare(CommandLine& line);
+
+  // Returns the conditions of --require. Throws Failure if they are invalid.
+  std::vector<Condition> conditions() const;
+};
+
+// --- The command `evenlift place --shape all`.
+
+// Prints a table with a row for each shape, or with --json a line for each, even if shapes are
+// refused. Throws Failure before printing if an option is invalid or needs a single shape, or the
+// input cannot be read; after printing if a shape was refused or a condition is not kept.
+void place_all(const PlaceOptions& options);
 
 }  // namespace evenlift::native

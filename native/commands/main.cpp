@@ -4,7 +4,7 @@
 #include <exception>
 
 #include "commands/commands.h"
-#include "input/failure.h"
+#include "input/command_line.h"
 #include "input/files.h"
 
 namespace evenlift::native {

@@ -1,8 +1,6 @@
 #include <algorithm>
 
 #include "commands/commands.h"
-#include "commands/place_all.h"
-#include "commands/place_options.h"
 #include "evenlift/link.h"
 #include "evenlift/output/json.h"
 #include "evenlift/output/markup.h"

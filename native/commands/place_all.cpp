@@ -1,4 +1,4 @@
-#include "commands/place_all.h"
+#include "commands/commands.h"
 
 #include <algorithm>
 

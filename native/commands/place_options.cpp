@@ -1,4 +1,4 @@
-#include "commands/place_options.h"
+#include "commands/commands.h"
 
 namespace evenlift::native {
 

@@ -6,8 +6,8 @@
 
 #include "evenlift/document.h"
 #include "experiment/experiment_folder.h"
-#include "input/failure.h"
-#include "input/polygon_files.h"
+#include "input/command_line.h"
+#include "input/files.h"
 
 namespace evenlift::native {
 

@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "evenlift/closest_name.h"
-#include "input/failure.h"
 #include "input/files.h"
 
 namespace evenlift::native {

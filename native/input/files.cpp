@@ -13,9 +13,7 @@
 #include "evenlift/lesson_link.h"
 #include "evenlift/link.h"
 #include "evenlift/numbers.h"
-#include "input/failure.h"
-#include "input/polygon_files.h"
-#include "input/shapes.h"
+#include "input/command_line.h"
 
 namespace evenlift::native {
 namespace {

@@ -1,5 +1,4 @@
-// Reads and writes whole files, byte for byte. All functions except is_same_file() and read_file()
-// throw Failure.
+// Selects the shapes of a file, and reports how they are read.
 #pragma once
 
 #include <optional>
@@ -8,9 +7,39 @@
 #include <vector>
 
 #include "evenlift/document.h"
-#include "input/shapes.h"
+#include "evenlift/import.h"
+#include "input/command_line.h"
 
 namespace evenlift::native {
+
+struct ShapeOptions {
+  std::optional<std::string> shape, flatten, join, holes;
+  bool project = false;
+  bool offered = false;  // whether the command has these options
+
+  void declare(CommandLine& line);
+  // Whether the shapes keep their holes. Throws Failure if --holes is neither yes nor no.
+  bool keeps_holes() const;
+  // Whether --shape is "all". Only `evenlift place` then takes all shapes; for other commands, the
+  // word is a shape's name.
+  bool selects_all() const { return shape == "all"; }
+};
+
+// Returns the selected shape, or the only one. Reports on standard error what was left out and how
+// the text was read, one line each. Throws Failure if the text or an option is invalid. The user
+// must select a shape if there are several, or if open lines that were left out span more than any
+// shape; without a selection, throws a Failure that lists the shapes.
+Document choose_shape(const std::string& text, const std::string& source,
+                      const ShapeOptions& options);
+
+// Returns all shapes. Reports the same as choose_shape(). If choose_shape() would require a
+// selection but the command has no option for it, also reports that all shapes are taken. Throws
+// Failure if the text or an option is invalid.
+std::vector<ImportedShape> all_shapes(const std::string& text, const std::string& source,
+                                      const ShapeOptions& options);
+
+// --- Reads and writes whole files, byte for byte. All functions except is_same_file() and read_file()
+// throw Failure.
 
 // Below, `file` is a path, "-" for standard input, or a share link.
 struct Input {
@@ -48,5 +77,20 @@ void write_file(const std::string& path, std::string_view text);
 // Writes to standard output. The Failure is silent if the pipe is broken, since a reader may stop
 // early.
 void write_output(std::string_view text);
+
+struct PolygonFile {
+  std::string set;   // the name of the given folder; single_files for a file given directly
+  std::string name;  // its path in that folder, or its file name, without the extension
+  std::string path;
+};
+
+inline constexpr const char* single_files = "files";
+
+// Finds the given files and, in the given folders and their sub-folders, all files whose names end
+// in .txt, .wkt, .json, .geojson, .svg or .dxf. Ignores hidden files and folders, and index.txt,
+// which is a list of contents. Each given folder is a set, and the given files together are another
+// set. The result is sorted by set and name. Throws Failure for a missing path, a folder without
+// polygon files, two sets with the same name, and two files of a set with the same name.
+std::vector<PolygonFile> find_polygon_files(const std::vector<std::string>& paths);
 
 }  // namespace evenlift::native

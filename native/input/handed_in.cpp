@@ -11,7 +11,7 @@
 #include "evenlift/link.h"
 #include "evenlift/numbers.h"
 #include "evenlift/task.h"
-#include "input/failure.h"
+#include "input/command_line.h"
 #include "input/files.h"
 
 namespace evenlift::native {

@@ -1,7 +1,7 @@
 #include "input/options.h"
 #include "evenlift/import.h"
 #include "evenlift/numbers.h"
-#include "input/failure.h"
+#include "input/command_line.h"
 
 namespace evenlift::native {
 namespace {

@@ -10,9 +10,7 @@
 #include "evenlift/result.h"
 #include "evenlift/settings.h"
 #include "input/command_line.h"
-#include "input/failure.h"
 #include "input/files.h"
-#include "input/shapes.h"
 
 namespace evenlift::native {
 

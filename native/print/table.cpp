@@ -7,7 +7,7 @@
 #include "evenlift/output/markup.h"
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/words.h"
-#include "input/failure.h"
+#include "input/command_line.h"
 #include "input/options.h"
 
 namespace evenlift::native {

@@ -3,10 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "balanced/completions.h"
 #include "balanced/for_oracle.h"
-#include "balanced/outline.h"
-#include "balanced/triples.h"
+#include "balanced/rules.h"
 #include "evenlift/angles.h"
 #include "evenlift/balanced.h"
 #include "evenlift/balanced_history.h"

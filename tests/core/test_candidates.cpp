@@ -6,7 +6,6 @@
 #include <random>
 
 #include "candidates/candidate_order.h"
-#include "candidates/duplicates.h"
 #include "evenlift/tolerance.h"
 #include "kit/catch.h"
 #include "shapes/problem_document.h"

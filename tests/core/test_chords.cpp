@@ -6,9 +6,8 @@
 #include <set>
 #include <tuple>
 
-#include "chords/opposite_vertices.h"
+#include "chords/radial_view.h"
 #include "chords/ray_caster.h"
-#include "chords/section.h"
 #include "evenlift/generate.h"
 #include "evenlift/predicates.h"
 #include "kit/catch.h"

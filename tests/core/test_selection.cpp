@@ -20,7 +20,6 @@
 #include "kit/metrics.h"
 #include "kit/solid.h"
 #include "selection/greedy_selector.h"
-#include "selection/growing_base.h"
 #include "shapes/problem_document.h"
 #include "shapes/small_polygons.h"
 

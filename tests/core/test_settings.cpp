@@ -4,7 +4,7 @@
 #include <limits>
 #include <set>
 
-#include "app/set_settings.h"
+#include "app/update.h"
 #include "evenlift/lesson.h"
 #include "evenlift/link.h"
 #include "evenlift/numbers.h"

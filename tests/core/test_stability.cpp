@@ -10,7 +10,7 @@
 #include "kit/check_placement.h"
 #include "kit/polygons.h"
 #include "kit/solid.h"
-#include "polygon/area_in_hull.h"
+#include "polygon/clip.h"
 
 using namespace evenlift;
 using evenlift::testing::polygon;

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "app/opening.h"
-#include "app/set_settings.h"
 #include "app/update.h"
 #include "evenlift/formats.h"
 #include "evenlift/link.h"

@@ -6,7 +6,7 @@
 
 #include "evenlift/request.h"
 #include "fuzz/fuzz.h"
-#include "numbers/json_events.h"
+#include "numbers/json_tree.h"
 #include "request/read_request.h"
 
 namespace {

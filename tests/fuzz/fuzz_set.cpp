@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "app/set_settings.h"
+#include "app/update.h"
 #include "evenlift/placement.h"
 #include "evenlift/settings.h"
 #include "fuzz/fuzz.h"

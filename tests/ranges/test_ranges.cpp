@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "candidates/pair_range.h"
+#include "candidates/pair_candidate.h"
 #include "evenlift/candidates.h"
 #include "evenlift/placement.h"
 #include "evenlift/random.h"

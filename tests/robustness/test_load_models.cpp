@@ -11,9 +11,9 @@
 #include "kit/catch.h"
 #include "oracle/rational.h"
 #include "oracle/vec.h"
-#include "robustness/best_load.h"
 #include "robustness/robot_sets.h"
 #include "robustness/simplex.h"
+#include "robustness/support.h"
 
 using namespace evenlift;
 using Exact = oracle::Rational;

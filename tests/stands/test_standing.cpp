@@ -3,7 +3,7 @@
 #include <string>
 
 #include "candidates/even_chords.h"
-#include "candidates/facing_lines.h"
+#include "candidates/standing.h"
 #include "evenlift/generate.h"
 #include "evenlift/output/json.h"
 #include "evenlift/placed_robots.h"

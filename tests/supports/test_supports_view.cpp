@@ -8,8 +8,8 @@
 #include "evenlift/supports.h"
 #include "kit/catch.h"
 #include "panels/summary.h"
+#include "tools/drawing.h"
 #include "tools/pick.h"
-#include "tools/support_spots.h"
 #include "view/view_page.h"
 
 using namespace evenlift;

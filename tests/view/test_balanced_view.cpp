@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/update.h"
-#include "derive/robots_text.h"
+#include "derive/search.h"
 #include "edits/open_document.h"
 #include "evenlift/balanced.h"
 #include "evenlift/link.h"
@@ -13,10 +13,10 @@
 #include "kit/catch.h"
 #include "panels/summary.h"
 #include "state/method.h"
+#include "tools/drawing.h"
 #include "tools/pick.h"
-#include "tools/shorter_way.h"
 #include "view/view_page.h"
-#include "walkthrough/timeline.h"
+#include "walkthrough/walkthrough.h"
 
 using namespace evenlift;
 using namespace evenlift::view;

@@ -1,7 +1,7 @@
 // During drags of large objects a worker, here the tests, chooses teams (derive/elsewhere.h).
 #include <limits>
 
-#include "derive/elsewhere.h"
+#include "derive/search.h"
 #include "evenlift/generate.h"
 #include "evenlift/output/json.h"
 #include "view/view_page.h"

@@ -3,8 +3,8 @@
 #include <string>
 #include <utility>
 
-#include "derive/reports.h"
-#include "derive/robots_text.h"
+#include "derive/derive.h"
+#include "derive/search.h"
 #include "evenlift/output/robustness_words.h"
 #include "kit/catch.h"
 #include "panels/summary.h"

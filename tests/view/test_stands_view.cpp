@@ -5,11 +5,11 @@
 #include "evenlift/settings.h"
 #include "evenlift/stands.h"
 #include "kit/catch.h"
-#include "marks/robot_discs.h"
+#include "marks/robots.h"
 #include "marks/stands.h"
 #include "state/method.h"
 #include "state/opened.h"
-#include "tools/brush.h"
+#include "tools/drawing.h"
 #include "view/view_page.h"
 
 using namespace evenlift;

@@ -11,7 +11,6 @@
 #include "actions/actions.h"
 #include "app/app.h"
 #include "app/opening.h"
-#include "app/set_settings.h"
 #include "app/update.h"
 #include "canvas/hint.h"
 #include "edits/undo.h"
@@ -21,7 +20,7 @@
 #include "evenlift/plane.h"
 #include "evenlift/stability.h"
 #include "kit/catch.h"
-#include "marks/boxed_text.h"
+#include "marks/robots.h"
 #include "panels/summary.h"
 #include "picture/labels.h"
 #include "picture/scene.h"
@@ -34,7 +33,7 @@
 #include "ui/controls.h"
 #include "ui/theme.h"
 #include "view/view_page.h"
-#include "walkthrough/script.h"
+#include "walkthrough/walkthrough.h"
 
 using namespace evenlift;
 using namespace evenlift::view;

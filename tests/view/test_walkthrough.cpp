@@ -13,10 +13,8 @@
 #include "state/layout.h"
 #include "state/screen.h"
 #include "view/view_page.h"
-#include "walkthrough/playing.h"
 #include "walkthrough/questions.h"
-#include "walkthrough/script.h"
-#include "walkthrough/timeline.h"
+#include "walkthrough/walkthrough.h"
 
 using namespace evenlift;
 using namespace evenlift::view;

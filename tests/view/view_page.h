@@ -13,7 +13,6 @@
 
 #include "actions/actions.h"
 #include "app/app.h"
-#include "app/conclude.h"
 #include "app/update.h"
 #include "edits/open_document.h"
 #include "edits/undo.h"

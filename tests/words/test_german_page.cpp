@@ -11,9 +11,9 @@
 #include "kit/json.h"
 #include "panels/summary.h"
 #include "ui/controls.h"
-#include "ui/drawn_texts.h"
+#include "ui/theme.h"
 #include "view/view_page.h"
-#include "walkthrough/timeline.h"
+#include "walkthrough/walkthrough.h"
 
 using namespace evenlift;
 using namespace evenlift::view;

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <iterator>
 
-#include "actions/nudge.h"
-#include "actions/when.h"
+#include "actions/pointer.h"
 #include "evenlift/wording.h"
 #include "state/method.h"
 #include "tools/drawing.h"
 #include "tools/pick.h"
 #include "tools/transform.h"
-#include "walkthrough/timeline.h"
+#include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
 

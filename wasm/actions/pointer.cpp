@@ -2,15 +2,13 @@
 
 #include <cmath>
 
-#include "actions/nudge.h"
-#include "actions/when.h"
+#include "actions/actions.h"
 #include "evenlift/stands.h"
 #include "state/layout.h"
-#include "tools/brush.h"
 #include "tools/drawing.h"
 #include "tools/pick.h"
 #include "tools/transform.h"
-#include "walkthrough/under_pointer.h"
+#include "walkthrough/explain.h"
 
 namespace evenlift::view {
 

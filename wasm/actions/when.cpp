@@ -1,9 +1,9 @@
-#include "actions/when.h"
+#include "actions/actions.h"
 
 #include "evenlift/moved.h"
 #include "tools/drawing.h"
 #include "tools/pick.h"
-#include "walkthrough/timeline.h"
+#include "walkthrough/walkthrough.h"
 
 namespace evenlift::view::when {
 

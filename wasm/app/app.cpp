@@ -6,7 +6,7 @@
 #include "canvas/canvas.h"
 #include "edits/open_document.h"
 #include "panels/panels.h"
-#include "walkthrough/playing.h"
+#include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
 

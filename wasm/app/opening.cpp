@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/conclude.h"
+#include "app/update.h"
 #include "derive/derive.h"
 #include "edits/open_document.h"
 #include "edits/undo.h"
@@ -15,11 +15,8 @@
 #include "evenlift/link.h"
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
-#include "state/notice.h"
 #include "state/opened.h"
 #include "state/screen.h"
-#include "walkthrough/script.h"
-#include "walkthrough/timeline.h"
 #include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {

@@ -5,8 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "app/conclude.h"
-#include "app/set_settings.h"
 #include "edits/by_hand.h"
 #include "edits/open_document.h"
 #include "edits/undo.h"
@@ -21,11 +19,8 @@
 #include "state/command.h"
 #include "state/layout.h"
 #include "state/method.h"
-#include "state/notice.h"
 #include "state/screen.h"
-#include "state/seen.h"
-#include "walkthrough/ask_why.h"
-#include "walkthrough/playing.h"
+#include "walkthrough/explain.h"
 #include "walkthrough/questions.h"
 #include "walkthrough/walkthrough.h"
 

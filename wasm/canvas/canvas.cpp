@@ -11,7 +11,6 @@
 #include "evenlift/moved.h"
 #include "marks/marks.h"
 #include "marks/object.h"
-#include "marks/tool_marks.h"
 #include "picture/canvas_view.h"
 #include "picture/painter.h"
 #include "tools/pick.h"

@@ -10,9 +10,8 @@
 
 #include "canvas/hint.h"
 #include "evenlift/output/words.h"
-#include "marks/boxed_text.h"
-#include "marks/load_labels.h"
 #include "marks/object.h"
+#include "marks/robots.h"
 #include "marks/stands.h"
 #include "picture/triangulate.h"
 #include "ui/vec.h"

@@ -10,7 +10,7 @@
 #include "evenlift/output/words.h"
 #include "evenlift/plane.h"
 #include "evenlift/wording.h"
-#include "marks/boxed_text.h"
+#include "marks/robots.h"
 #include "marks/stands.h"
 #include "tools/drawing.h"
 #include "tools/pick.h"

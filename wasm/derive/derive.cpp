@@ -7,10 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "derive/elsewhere.h"
-#include "derive/offer.h"
-#include "derive/placing.h"
-#include "derive/reports.h"
 #include "derive/search.h"
 #include "evenlift/output/words.h"
 #include "evenlift/settings.h"

@@ -1,11 +1,10 @@
-#include "derive/offer.h"
+#include "derive/derive.h"
 
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "derive/placing.h"
 #include "evenlift/output/verdict.h"
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"

@@ -7,9 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "derive/elsewhere.h"
-#include "derive/robots_text.h"
-#include "derive/settings_text.h"
 #include "evenlift/document.h"
 #include "evenlift/formats.h"
 #include "evenlift/numbers.h"

@@ -13,9 +13,8 @@
 #include "evenlift/supports.h"
 #include "evenlift/wording.h"
 #include "state/method.h"
-#include "state/notice.h"
-#include "tools/shorter_way.h"
-#include "tools/support_spots.h"
+#include "state/screen.h"
+#include "tools/drawing.h"
 
 namespace evenlift::view {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "edits/undo.h"
 #include "state/layout.h"
-#include "state/notice.h"
+#include "state/screen.h"
 
 namespace evenlift::view {
 namespace {

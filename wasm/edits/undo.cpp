@@ -9,9 +9,8 @@
 #include "edits/open_document.h"
 #include "evenlift/settings.h"
 #include "evenlift/wording.h"
-#include "state/notice.h"
 #include "state/opened.h"
-#include "state/seen.h"
+#include "state/screen.h"
 #include "tools/pick.h"
 #include "walkthrough/walkthrough.h"
 

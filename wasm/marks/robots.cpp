@@ -8,10 +8,7 @@
 
 #include "evenlift/output/picture.h"
 #include "evenlift/output/words.h"
-#include "marks/boxed_text.h"
-#include "marks/load_labels.h"
 #include "marks/object.h"
-#include "marks/robot_discs.h"
 #include "marks/stands.h"
 #include "tools/pick.h"
 #include "tools/transform.h"

@@ -6,9 +6,6 @@
 
 #include "evenlift/output/words.h"
 #include "evenlift/stability.h"
-#include "marks/boxed_text.h"
-#include "marks/load_labels.h"
-#include "marks/robot_discs.h"
 #include "marks/robots.h"
 #include "walkthrough/questions.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "evenlift/report.h"
-#include "marks/load_labels.h"
+#include "marks/robots.h"
 #include "picture/canvas_view.h"
 
 namespace evenlift::view {

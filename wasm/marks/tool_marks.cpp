@@ -1,4 +1,4 @@
-#include "marks/tool_marks.h"
+#include "marks/marks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
-#include "marks/boxed_text.h"
+#include "marks/robots.h"
 #include "tools/drawing.h"
 #include "tools/transform.h"
 #include "ui/icons.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "derive/elsewhere.h"
+#include "derive/search.h"
 #include "evenlift/output/json_text.h"
 #include "evenlift/placement.h"
 #include "evenlift/settings.h"

@@ -26,12 +26,12 @@ namespace {
 constexpr std::size_t most_candidates = 400, most_figures = 400;
 
 // A step to print, with the teacher's words.
-struct Stop {
+struct PrintedStop {
   std::uint32_t step;
   std::string words;
 };
-std::vector<Stop> stops_of(const Trace& trace, const Result<Lesson>& lesson) {
-  std::vector<Stop> stops;
+std::vector<PrintedStop> stops_of(const Trace& trace, const Result<Lesson>& lesson) {
+  std::vector<PrintedStop> stops;
   if (lesson) {
     for (const LessonStep& step : lesson->steps)
       if (const auto found = find_step(trace, step.address)) stops.push_back({*found, step.words});
@@ -88,7 +88,7 @@ std::string figure_json(const Paper& paper, const Figure& figure) {
                        {"points", in_json(paper(figure.points))}});
 }
 
-std::string step_json(const Paper& paper, const Trace& trace, const Stop& stop) {
+std::string step_json(const Paper& paper, const Trace& trace, const PrintedStop& stop) {
   const StepDetail detail = look_at(trace, stop.step);
   const Known known = known_at(paper, trace, detail);
   const std::vector<Figure> shown = figures_on_paper(trace, detail);
@@ -157,7 +157,8 @@ std::string handout(const RequestMembers& members) {
   const Paper paper(shown_points(*placement));
   const Result<Lesson> lesson = parse_lesson(members.text("lesson"));
   std::vector<std::string> steps;
-  for (const Stop& stop : stops_of(*trace, lesson)) steps.push_back(step_json(paper, *trace, stop));
+  for (const PrintedStop& stop : stops_of(*trace, lesson))
+    steps.push_back(step_json(paper, *trace, stop));
   const bool asks = lesson && !lesson->question.empty();
   return json::object({{"width", json::number(Paper::width)},
                        {"height", json::number(Paper::height)},

@@ -45,7 +45,7 @@ Document with_teams(Document document) {
 Compared compare(const Placement& greedy, const Shown& shown, double seconds) {
   const double end = now() + 1000 * seconds;
   bool stopped = false;
-  const Stop stop = [&] { return stopped = stopped || now() >= end; };
+  const evenlift::Stop stop = [&] { return stopped = stopped || now() >= end; };
   Optimum optimum =
       widest_choice(greedy.object, greedy.centre_of_mass, greedy.candidates, greedy.requested_teams,
                     greedy.team_candidates, stop, greedy.stands.get());

@@ -3,8 +3,7 @@
 #include <string_view>
 #include <utility>
 
-#include "derive/robots_text.h"
-#include "derive/settings_text.h"
+#include "derive/search.h"
 #include "evenlift/balanced.h"
 #include "evenlift/capacity.h"
 #include "evenlift/centre_of_mass.h"

@@ -25,9 +25,8 @@
 #include "evenlift/stands.h"
 #include "evenlift/supports.h"
 #include "evenlift/wording.h"
-#include "page/browser.h"
-#include "page/hand_over.h"
 #include "page/page_api.h"
+#include "page/sdl_input.h"
 #include "state/history.h"
 #include "tools/pick.h"
 

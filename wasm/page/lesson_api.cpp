@@ -17,11 +17,9 @@
 #include "evenlift/output/json_text.h"
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
-#include "page/hand_over.h"
 #include "page/page_api.h"
 #include "state/opened.h"
-#include "walkthrough/script.h"
-#include "walkthrough/timeline.h"
+#include "walkthrough/walkthrough.h"
 
 using namespace evenlift::view;
 

@@ -18,15 +18,11 @@
 #include <string>
 
 #include "evenlift/numbers.h"
-#include "page/browser.h"
-#include "page/hand_over.h"
 #include "page/page_api.h"
 #include "page/sdl_input.h"
 #include "page/webgl_renderer.h"
 #include "tools/pick.h"
 #include "ui/controls.h"
-#include "ui/fonts.h"
-#include "ui/letters.h"
 #include "ui/theme.h"
 
 namespace evenlift::view {

@@ -1,5 +1,4 @@
 #include "page/page_api.h"
-#include "page/hand_over.h"
 
 #include <emscripten/emscripten.h>
 
@@ -11,9 +10,8 @@
 #include <utility>
 
 #include "actions/actions.h"
-#include "app/conclude.h"
 #include "app/opening.h"
-#include "app/set_settings.h"
+#include "app/update.h"
 #include "edits/by_hand.h"
 #include "edits/open_document.h"
 #include "edits/undo.h"
@@ -26,7 +24,7 @@
 #include "evenlift/output/svg.h"
 #include "evenlift/output/words.h"
 #include "evenlift/settings.h"
-#include "page/browser.h"
+#include "page/sdl_input.h"
 #include "panels/summary.h"
 #include "state/layout.h"
 #include "state/method.h"

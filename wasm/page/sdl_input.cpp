@@ -10,8 +10,6 @@
 #include <string>
 #include <variant>
 
-#include "page/browser.h"
-
 EM_JS(void, evenlift_document_changed, (), { Module["bindings"]["documentChanged"](); })
 EM_JS(void, evenlift_summary_changed, (), { Module["bindings"]["summaryChanged"](); })
 EM_JS(void, evenlift_preferences_changed, (), { Module["bindings"]["preferencesChanged"](); })

@@ -9,7 +9,6 @@
 #include "tools/drawing.h"
 #include "tools/pick.h"
 #include "widgets/buttons.h"
-#include "widgets/dropdown.h"
 #include "widgets/fields.h"
 #include "widgets/text.h"
 

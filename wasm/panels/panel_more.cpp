@@ -7,13 +7,11 @@
 
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
-#include "panels/length_row.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
 #include "picture/scene.h"
 #include "ui/controls.h"
 #include "widgets/buttons.h"
-#include "widgets/dropdown.h"
 #include "widgets/fields.h"
 #include "widgets/methods.h"
 #include "widgets/text.h"

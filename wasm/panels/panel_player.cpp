@@ -4,13 +4,10 @@
 
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
-#include "panels/action_button.h"
 #include "panels/panels.h"
-#include "walkthrough/playing.h"
-#include "walkthrough/timeline.h"
-#include "walkthrough/words.h"
+#include "walkthrough/questions.h"
+#include "walkthrough/walkthrough.h"
 #include "widgets/buttons.h"
-#include "widgets/dropdown.h"
 #include "widgets/fields.h"
 #include "widgets/text.h"
 

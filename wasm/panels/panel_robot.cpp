@@ -8,7 +8,6 @@
 #include "evenlift/output/words.h"
 #include "evenlift/settings.h"
 #include "evenlift/wording.h"
-#include "panels/length_row.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
 #include "state/method.h"

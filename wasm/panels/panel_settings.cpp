@@ -11,7 +11,6 @@
 #include "state/method.h"
 #include "tools/pick.h"
 #include "widgets/buttons.h"
-#include "widgets/dropdown.h"
 #include "widgets/fields.h"
 #include "widgets/methods.h"
 #include "widgets/text.h"

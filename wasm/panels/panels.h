@@ -1,9 +1,54 @@
-// The panels, in one table.
+// Shows an action (actions.h) as a button or as a row of an open list. A button shows the icon of
+// the action and, on hovering, its name and key.
 #pragma once
 
+#include <optional>
+#include <string>
+
+#include "actions/actions.h"
+#include "evenlift/settings.h"
 #include "ui/ui.h"
 
 namespace evenlift::view {
+
+void action_button(const Ui& ui, ActionId id, float size);
+
+// A button with the name beside the icon. The action must be enabled.
+void named_action_button(const Ui& ui, ActionId id, float size);
+
+// A row with the name, and with the key if there may be a keyboard.
+void action_row(const Ui& ui, ActionId id);
+
+// --- Panel rows that step a setting up and down, or take a typed value.
+
+struct LengthRow {
+  Setting setting;
+  const char *label, *about, *spoken;
+  // For a setting with a default: its member, and the label of the button that restores the
+  // default.
+  std::optional<double> Settings::*member = nullptr;
+  const char* usual = nullptr;
+};
+void draw_length(const Ui& ui, const LengthRow& row);
+
+// The row of a length or a weight that may have no value.
+struct OptionalRow {
+  Setting setting;
+  const char *label, *about;
+  std::string spoken;
+  const char* without;           // the text shown without a value
+  const char *unset_id, *unset;  // the button that removes the value
+};
+// Returns whether the setting has a value.
+bool draw_optional(const Ui& ui, const OptionalRow& row);
+
+// size_of_object() returns the diagonal of the polygon's bounding box, or 100 before the first
+// placement. first_length() returns the length to which a step up from 0 leads: a power of ten,
+// from 1/500 to 1/50 of the size.
+double size_of_object(const AppState& state);
+double first_length(double size_of_object);
+
+// --- The panels, in one table.
 
 // A part of the side panel or sheet.
 struct Panel {

@@ -8,12 +8,10 @@
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
-#include "panels/action_button.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
-#include "state/seen.h"
+#include "state/screen.h"
 #include "widgets/buttons.h"
-#include "widgets/dropdown.h"
 #include "widgets/text.h"
 
 namespace evenlift::view {

@@ -12,9 +12,7 @@
 #include "evenlift/plane.h"
 #include "evenlift/wording.h"
 #include "state/layout.h"
-#include "state/notice.h"
 #include "state/screen.h"
-#include "state/seen.h"
 
 namespace evenlift::view {
 

@@ -13,9 +13,6 @@
 #include "evenlift/supports.h"
 #include "evenlift/wording.h"
 #include "state/camera.h"
-#include "tools/brush.h"
-#include "tools/shorter_way.h"
-#include "tools/support_spots.h"
 
 namespace evenlift::view {
 namespace {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "evenlift/placement.h"
 #include "state/state.h"
 
 namespace evenlift::view {
@@ -68,5 +70,54 @@ struct KeptDrawing {
 };
 std::string drawing_text(const Drawing& drawing, bool is_hole);
 std::optional<KeptDrawing> read_drawing(std::string_view text);
+
+// --- The brush that marks no-go parts.
+
+inline constexpr double brush_reach = 12, finger_reach = 22;  // pixels
+
+// The outline's nearest edge within the brush's reach, and the nearest place on this edge: 0 at its
+// start, 1 at its end. brushed_place() returns nothing if no edge is within reach. O(n).
+struct BrushedPlace {
+  std::uint32_t edge;
+  double at;
+};
+std::optional<BrushedPlace> brushed_place(const AppState& state, const Vec2& screen, bool finger);
+
+// Returns the settings after a stroke of the brush from one place on the screen to another. The
+// stroke marks or erases everything within the brush's reach, except where there would be more than
+// `most_no_go` parts. O(n), and O(parts) for each edge that the stroke meets.
+Settings brushed(const AppState& state, const Vec2& from, const Vec2& to, bool finger);
+
+// Returns the settings after a click of the brush on an edge: the whole edge becomes a no-go edge
+// or, if the brush erases, loses its no-go parts. The limit `most_no_go` applies here too.
+Settings with_whole_edge(const AppState& state, std::uint32_t edge);
+
+// --- Finds paths along a polygon's outline, and tells why a robot cannot go to a place.
+
+// Returns the shorter path along the outline from one place to another, both included. O(n).
+Points shorter_way(const Points& vertices, const LiftingPoint& from, const LiftingPoint& to);
+
+// Returns why a robot moved by hand cannot go to a place: "Robot 3 cannot go there: …". O(1).
+std::string closed_in_words(const Placement& placement, std::size_t robot);
+
+// --- Finds the places to which a robot placed by hand sticks: vertices and edges near the pointer, and
+// places that are even with another robot (see even_spot()).
+
+// The distances within which a robot sticks to vertices and edges, and to an even place, in pixels.
+inline constexpr double edge_reach = 12, even_reach = 8;
+
+// Returns the place for a robot held at `to`; nothing if `to` is outside the object, and no edge or
+// even place is near. `robot` is the robot's number in the placement, or nothing for a new robot.
+// O(n + m) for m robots.
+std::optional<Vec2> support_spot(const AppState& state, const Vec2& to,
+                                 std::optional<std::size_t> robot);
+
+// Returns the nearest even place: straight across C from another robot, equally far from C, and not
+// outside the object. Nothing if all even places are farther away than `reach` (pixels). O(n + m).
+std::optional<Vec2> even_spot(const AppState& state, const Vec2& to,
+                              std::optional<std::size_t> robot, double reach);
+
+// Returns whether the pointer drags a robot placed by hand.
+bool holds_support(const AppState& state);
 
 }  // namespace evenlift::view

@@ -11,7 +11,7 @@
 #include "evenlift/output/json_text.h"
 #include "evenlift/wording.h"
 #include "ui/controls.h"
-#include "ui/drawn_texts.h"
+#include "ui/theme.h"
 
 namespace evenlift::view {
 namespace {

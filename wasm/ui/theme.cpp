@@ -9,10 +9,7 @@
 #include <vector>
 
 #include "evenlift/wording.h"
-#include "ui/drawn_texts.h"
-#include "ui/fonts.h"
 #include "ui/heat_levels.h"
-#include "ui/letters.h"
 
 namespace evenlift::view {
 namespace {

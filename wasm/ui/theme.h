@@ -2,8 +2,9 @@
 #pragma once
 
 #include <imgui.h>
-
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "state/state.h"
 
@@ -69,5 +70,56 @@ void apply_style(const AppState& state, double control_height);
 // Makes anti-aliasing one device pixel wide, not one pixel of the view, so that thin lines are as
 // sharp as possible.
 void sharpen(ImDrawList& list, const AppState& state);
+
+// --- The page's two fonts: those of assets/fonts, which cmake/Embed.cmake embeds, or larger ones that
+// the page fetched.
+
+struct FontData {
+  const unsigned char* bytes;
+  int size;  // in bytes
+};
+
+FontData regular_font();
+FontData semibold_font();
+
+// Replaces the fonts by larger ones that the page fetched (letters.h).
+void give_fonts(std::vector<unsigned char> regular, std::vector<unsigned char> semibold);
+
+// --- Finds characters for users' texts, such as lessons and file names. At first the page's fonts have
+// only the few characters that the page itself writes. The page fetches larger fonts
+// (web/page/bindings.js), from which other characters are rasterised.
+
+// Notes which characters of the text the font lacks. O(bytes).
+void note_letters(const ImFont& font, std::string_view text);
+
+// Returns whether any noted characters have yet to be looked up in the fonts.
+bool letters_are_due();
+
+// letters_are_here() returns whether the larger fonts have arrived. Call have_letters() when they
+// arrive.
+bool letters_are_here();
+void have_letters();
+
+// Returns the ranges of characters to rasterise, ended by 0: the page's own characters and, once
+// the larger fonts are here, a range around each noted character. No letters are due afterwards.
+const ImWchar* letter_ranges();
+
+// Returns, as text, the noted characters that the font lacks and that no earlier call returned.
+// Call this after the fonts are built.
+std::string absent_letters(const ImFont& font);
+
+// --- Records the texts that the view draws, so that tests can check their language and their room.
+
+struct DrawnText {
+  std::string text;  // as drawn
+  bool has_room;     // the text fits its place
+};
+
+// From now on, adds drawn texts to the record; null ends the recording.
+void record_texts(std::vector<DrawnText>* record);
+
+void note_drawn(std::string_view text);
+// Records the text only if its width is greater than the room for it, both in pixels.
+void note_room(std::string_view text, float width, float room);
 
 }  // namespace evenlift::view

@@ -12,10 +12,8 @@
 #include "evenlift/plane.h"
 #include "evenlift/why_not.h"
 #include "evenlift/wording.h"
-#include "state/notice.h"
 #include "state/opened.h"
-#include "walkthrough/ask_why.h"
-#include "walkthrough/under_pointer.h"
+#include "state/screen.h"
 
 namespace evenlift::view {
 namespace {

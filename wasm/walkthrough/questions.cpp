@@ -10,12 +10,9 @@
 #include "evenlift/main_steps.h"
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
-#include "state/notice.h"
-#include "walkthrough/ask_why.h"
-#include "walkthrough/script.h"
-#include "walkthrough/timeline.h"
+#include "state/screen.h"
+#include "walkthrough/explain.h"
 #include "walkthrough/walkthrough.h"
-#include "walkthrough/words.h"
 
 namespace evenlift::view {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "ui/controls.h"
-#include "ui/drawn_texts.h"
+#include "ui/theme.h"
 #include "ui/vec.h"
 #include "widgets/fields.h"
 #include "widgets/text.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "evenlift/document.h"
-#include "widgets/dropdown.h"
+#include "widgets/text.h"
 
 namespace evenlift::view {
 

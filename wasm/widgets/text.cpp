@@ -5,10 +5,8 @@
 
 #include "evenlift/wording.h"
 #include "ui/controls.h"
-#include "ui/drawn_texts.h"
-#include "ui/letters.h"
+#include "ui/theme.h"
 #include "widgets/buttons.h"
-#include "widgets/dropdown.h"
 
 namespace evenlift::view {
 

@@ -11,7 +11,7 @@
 #include "evenlift/chords.h"
 #include "evenlift/document.h"
 #include "evenlift/polygon_with_holes.h"
-#include "polygon/edge_tree.h"
+#include "polygon/clip.h"
 
 namespace evenlift::balanced {
 

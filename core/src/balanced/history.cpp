@@ -3,9 +3,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "balanced/completions.h"
-#include "balanced/start.h"
-#include "balanced/triples.h"
+#include "balanced/rules.h"
+#include "balanced/search.h"
 #include "evenlift/balanced.h"
 #include "evenlift/balanced_history.h"
 

@@ -4,9 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "balanced/completions.h"
-#include "balanced/outline.h"
-#include "balanced/triples.h"
 #include "evenlift/failures.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"

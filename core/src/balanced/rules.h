@@ -1,23 +1,73 @@
-// The requirements on balanced robots, and the comparison of two sets by the keys of
-// evenlift/balanced.h. Rules computes a key only when it is needed, and first tries cheap bounds of
-// the coverage, by which nearly all sets lose.
+// The outline of P as a walk from v*, and its trial points (algorithm.md, Balanced robots). Neither
+// depends on which vertex is first in the list.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "balanced/cover.h"
-#include "balanced/outline.h"
-#include "balanced/triples.h"
 #include "candidates/even_chords.h"
 #include "evenlift/balanced.h"
 #include "evenlift/balanced_history.h"
+#include "evenlift/chords.h"
+#include "evenlift/polygon.h"
 #include "evenlift/stands.h"
-#include "grasp/hold_levels.h"
-#include "grasp/margins.h"
+#include "grasp/grasp.h"
 
 namespace evenlift::balanced {
+
+class Outline {
+ public:
+  // The polygon must outlive the Outline. O(n).
+  Outline(const Polygon& polygon, const Vec2& centre);
+
+  // The length of the outline, Lambda.
+  double length() const { return starts_.back(); }
+
+  // The edges in the order of the walk. O(n).
+  std::vector<std::uint32_t> edges() const;
+
+  // Returns the distance along the outline, counter-clockwise from v* to a point on an edge. It is
+  // in [0, Lambda); a distance within tau Lambda of Lambda counts as 0. O(1).
+  double place(const LiftingPoint& point) const;
+
+  // The trial points, in order. If robots have a size or there are no-go parts, `room` must be
+  // given. The trial points are then the lifting points of contacts at equal distances along all
+  // usable intervals (docs/stands.md). The lifting points for the ends and the middle of each
+  // interval follow, but only if there are no more intervals than points at equal distances. O(n).
+  std::vector<LiftingPoint> stands(const Stands* room = nullptr) const;
+
+ private:
+  std::vector<LiftingPoint> usable_stands(std::uint32_t number, const Stands& room) const;
+  std::vector<LiftingPoint> interval_stands(std::uint32_t most, const Stands& room) const;
+  std::uint32_t edge_of_step(std::size_t step) const;
+  std::vector<LiftingPoint> even_stands(std::uint32_t number) const;
+  std::vector<LiftingPoint> reflex_stands(std::uint32_t most) const;
+
+  const Polygon& polygon_;
+  std::vector<std::uint32_t> vertices_;  // from v* counter-clockwise
+  std::vector<std::uint32_t> steps_;     // by edge: the step of the walk along this edge
+  std::vector<double> starts_;           // by step: its distance from v*; the last is Lambda
+};
+
+// --- The three robots that a swap may replace.
+
+using Triple = std::array<std::uint32_t, 3>;  // increasing
+
+// The triples that a swap may replace, in lexicographic order. For up to 12 robots, these are all
+// triples; for up to 24, the triples that contain two neighbours along the outline; for more, the
+// triples of three robots in a row. O(m^3).
+std::vector<Triple> triples_of(std::uint32_t robots);
+
+// The robots outside the triple. O(m).
+std::vector<LiftingPoint> others(const std::vector<LiftingPoint>& robots, const Triple& triple);
+
+// --- The requirements on balanced robots, and the comparison of two sets by the keys of
+// evenlift/balanced.h. Rules computes a key only when it is needed, and first tries cheap bounds of
+// the coverage, by which nearly all sets lose.
 
 // A set with those of its keys (see BalancedKeys) that have been computed.
 struct RatedSet {
@@ -123,6 +173,65 @@ class Rules {
   CoarseCover coarse_cover_;
   Cover cover_;
   Margins margins_;
+};
+
+// --- Completes given robots by two or three more, so that the centroid of all is C.
+
+// The point where the midpoint of two more robots must be, so that the centroid of all is C.
+Vec2 middle_of_two_more(const std::vector<LiftingPoint>& robots, const Vec2& centre);
+
+// The even candidates whose two ends, together with the robots, have the centroid C; none if
+// middle_of_two_more() is not strictly inside the convex hull of P. If the outline has more than
+// 1,000 vertices and many such candidates, only some are returned (EvenChords::some_about). Adds the
+// work to `steps` (BalancedWork in balanced.h).
+std::vector<Candidate> pairs_to_complete(const Rules& rules,
+                                         const std::vector<LiftingPoint>& robots,
+                                         std::uint64_t& steps);
+
+// All such candidates, for any outline.
+std::vector<Candidate> all_pairs_to_complete(const Rules& rules,
+                                             const std::vector<LiftingPoint>& robots);
+
+// Keeps the best of the offered sets; of sets that tie, the first.
+class Best {
+ public:
+  // After `most_steps`, no three more are offered: any set will do, and none if usable_sets() can
+  // take its place.
+  explicit Best(const Rules& rules, std::uint64_t most_steps = ~std::uint64_t{0})
+      : rules_(rules), most_steps_(most_steps) {}
+
+  // Makes `set` the best so far, without a comparison.
+  void offer(const RatedSet& set) { set_ = set; }
+  // Offer each completion of the robots by two or by three more, in the order of the trial points
+  // and then of the candidates.
+  void offer_two_more(const std::vector<LiftingPoint>& robots);
+  void offer_three_more(const std::vector<LiftingPoint>& robots);
+  // Offers each completion of the robots by three more, of which the first is at `place`.
+  void offer_three_more(const std::vector<LiftingPoint>& robots, const LiftingPoint& place);
+
+  const std::optional<RatedSet>& set() const { return set_; }
+  // Whether a completion has become the best set.
+  bool completed() const { return completed_; }
+  // The number of robots that the best set had before two or three more completed it. In the set,
+  // these robots come first.
+  std::size_t kept() const { return kept_; }
+  // The work so far, in steps of BalancedWork (balanced.h).
+  std::uint64_t steps() const { return steps_; }
+
+ private:
+  // Offers the robots together with the ends of each even candidate that completes them, but skips
+  // sets whose robots collide. The last `added` of the `robots` do not count as kept. `near_pairs`
+  // counts the near pairs among the `robots`.
+  void complete(const std::vector<LiftingPoint>& robots, std::size_t added,
+                std::uint32_t near_pairs);
+
+  const Rules& rules_;
+  std::uint64_t most_steps_;
+  std::optional<RatedSet> set_;
+  bool completed_ = false;
+  std::size_t kept_ = 0;
+  std::uint64_t steps_ = 0;
+  RatedSet offered_;  // a member so that its memory is reused
 };
 
 }  // namespace evenlift::balanced

@@ -5,11 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "balanced/completions.h"
-#include "balanced/rounds.h"
-#include "balanced/start.h"
-#include "balanced/triples.h"
-#include "balanced/usable_sets.h"
+#include "balanced/rules.h"
+#include "balanced/search.h"
 #include "evenlift/balanced.h"
 #include "evenlift/balanced_history.h"
 #include "evenlift/tolerance.h"

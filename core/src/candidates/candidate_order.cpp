@@ -9,14 +9,12 @@
 #include <span>
 #include <utility>
 
-#include "candidates/candidate_seeds.h"
-#include "candidates/duplicates.h"
-#include "candidates/pair_range.h"
-#include "chords/section.h"
+#include "candidates/pair_candidate.h"
+#include "chords/ray_caster.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 #include "exact/pseudo_angle.h"
-#include "exact/tie_classes.h"
+#include "exact/sorted_indices.h"
 
 namespace evenlift {
 

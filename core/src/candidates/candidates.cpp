@@ -4,13 +4,9 @@
 #include <string>
 #include <utility>
 
-#include "candidates/candidate_seeds.h"
-#include "candidates/chord_range.h"
-#include "candidates/common_range.h"
-#include "candidates/duplicates.h"
+#include "candidates/candidate_order.h"
 #include "candidates/pair_candidate.h"
-#include "candidates/pair_range.h"
-#include "chords/opposite_vertices.h"
+#include "candidates/standing.h"
 #include "chords/radial_view.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"

@@ -6,11 +6,8 @@
 #include <utility>
 
 #include "candidates/candidate_order.h"
-#include "candidates/common_range.h"
-#include "candidates/duplicates.h"
 #include "candidates/pair_candidate.h"
-#include "candidates/stand_lines.h"
-#include "chords/opposite_vertices.h"
+#include "candidates/standing.h"
 #include "chords/radial_view.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"

@@ -9,7 +9,7 @@
 
 #include "evenlift/candidates.h"
 #include "evenlift/stands.h"
-#include "polygon/edge_tree.h"
+#include "polygon/clip.h"
 
 namespace evenlift {
 

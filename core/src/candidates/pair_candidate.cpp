@@ -4,10 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "candidates/common_range.h"
-#include "candidates/pair_range.h"
-#include "chords/opposite_vertices.h"
-#include "chords/section.h"
+#include "chords/radial_view.h"
+#include "chords/ray_caster.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 #include "exact/double_double.h"

@@ -1,16 +1,29 @@
-// The candidate of one edge pair (algorithm.md, Candidates): the cases and their arithmetic.
+// Whether two edges face each other across C, without a sweep over all edges.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "chords/radial_view.h"
-#include "chords/section.h"
+#include "chords/ray_caster.h"
 #include "evenlift/candidates.h"
+#include "evenlift/chords.h"
+#include "evenlift/polygon.h"
+#include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
+#include "polygon/corners.h"
 
 namespace evenlift {
+
+// The edge pair in which rays from C meet edge `a` and the opposite rays meet edge `b`. Returns
+// nothing if the edges do not face each other (an exact test, as in edge_pairs()), or if the line
+// of one passes within `near` of C, so that this edge is radial. O(1).
+std::optional<EdgePair> pair_of_edges(const Polygon& polygon, const Vec2& centre, std::uint32_t a,
+                                      std::uint32_t b, double near);
+
+// --- The candidate of one edge pair (algorithm.md, Candidates): the cases and their arithmetic.
 
 // A non-radial edge, with its two ends in counter-clockwise order as C sees them.
 struct SeenEdge {
@@ -87,5 +100,35 @@ bool reaches(const Chord& chord, double min_ratio);
 
 // The direction or its opposite: the one that points from a chord's end r1 to its end r2. O(1).
 Vec2 rightward(const Vec2& direction);
+
+// --- The range of an edge pair (algorithm.md, Ranges), in which chords meet the minimum ratio, and the
+// two candidates that the range adds.
+
+// Returns the same as range_of() (candidates.h), given the two edges as C sees them. O(1).
+std::optional<PairRange> find_range(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
+                                    const SeenEdge& b, const EdgePair& pair, double min_ratio);
+
+// Whether all chords of the range agree within `near`; if so, the range adds no candidates. O(1).
+bool is_one_place(const PairRange& range, double near);
+
+// The candidate at the place x of the range (see PairRange). O(1).
+Candidate range_candidate(const Vec2& centre, const PairRange& range, double x);
+
+// The distance that range candidates keep from corners, and the data to measure it.
+struct FromCorners {
+  const Polygon& polygon;
+  const Corners& corners;
+  double clear = 0;
+  const Stands* stands = nullptr;  // if set, contacts rather than lifting points keep it
+};
+
+// The part of the range in which both robots are at least `clear` from the corners of their edges,
+// within tau L. Returns nothing if at most one place is left, or if `clear` is 0. O(1).
+std::optional<PairRange> clear_part(const FromCorners& from, const Vec2& centre,
+                                    const PairRange& range);
+
+// Returns place_at(range, s) or, if there is a clear part, the place in the clear part that is
+// nearest to place_at(range, s). O(1).
+double clear_place_at(const PairRange& range, const std::optional<PairRange>& clear, double s);
 
 }  // namespace evenlift

@@ -5,15 +5,10 @@
 #include <utility>
 
 #include "candidates/candidate_order.h"
-#include "candidates/chord_range.h"
-#include "candidates/duplicates.h"
-#include "candidates/facing_lines.h"
 #include "candidates/pair_candidate.h"
-#include "candidates/pair_range.h"
-#include "candidates/stand_lines.h"
-#include "chords/opposite_vertices.h"
+#include "candidates/standing.h"
 #include "chords/radial_view.h"
-#include "chords/section.h"
+#include "chords/ray_caster.h"
 #include "evenlift/candidates.h"
 #include "evenlift/tolerance.h"
 #include "exact/pseudo_angle.h"

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "chords/opposite_vertices.h"
 #include "chords/radial_view.h"
-#include "chords/section.h"
+#include "chords/ray_caster.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "chords/section.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "curves/outline.h"
-#include "curves/rational_bezier.h"
 
 namespace evenlift {
 namespace {

@@ -10,8 +10,8 @@
 #include "evenlift/angles.h"
 #include "evenlift/numbers.h"
 #include "evenlift/settings.h"
+#include "numbers/number_text.h"
 #include "numbers/text_cursor.h"
-#include "numbers/utf8.h"
 
 namespace evenlift {
 namespace {

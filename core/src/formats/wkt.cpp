@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "formats/readers.h"
-#include "numbers/json_events.h"
+#include "numbers/json_tree.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {

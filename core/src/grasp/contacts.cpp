@@ -7,9 +7,6 @@
 #include "exact/sorted_indices.h"
 #include "grasp/contact_finder.h"
 #include "grasp/grasp.h"
-#include "grasp/hold_errors.h"
-#include "grasp/hold_levels.h"
-#include "grasp/margins.h"
 
 namespace evenlift {
 namespace {

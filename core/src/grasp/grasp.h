@@ -1,14 +1,118 @@
-// The object and its robots' contacts in the form that the tests of form closure and the margin
-// need.
+// Computes the margins of many placements on one object.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "evenlift/closure.h"
+#include "grasp/contact_finder.h"
 #include "grasp/wrench_margin.h"
 
 namespace evenlift {
+
+class Margins {
+ public:
+  // The polygon must outlive this object. Contacts nearer than `hold.clear` to a corner do not
+  // count. O(n log n).
+  Margins(const Polygon& polygon, const Vec2& centre, const HoldRequirements& hold);
+
+  // Returns the margin that analyse_hold() would compute from the contacts of robots at these
+  // points, without those that do not count. Returns nothing if no contact counts. O(m log n) for m
+  // points, plus the cost of wrench_margin().
+  std::optional<double> of(const std::vector<LiftingPoint>& points) const;
+
+  // The wrenches that the margin needs. Of several contacts on edges of the same direction, only
+  // the first and the last are included (grasp.h). O(m log n).
+  std::vector<Wrench> wrenches_of(const std::vector<LiftingPoint>& points) const;
+
+  // Whether robots at these points, which have this margin, still hold the object if they are off
+  // by `hold.tolerance`, within tau L. O(m log n), plus the cost of holds_within() (closure.h) if
+  // the margin is small or a bend is near.
+  bool are_firm(const std::vector<LiftingPoint>& points, const WeakestDirection& margin) const;
+
+  // The level of these robots' margin (hold_levels.h); 0 if they are not firm. `tested` says whether
+  // that was in question.
+  struct Level {
+    std::uint32_t level = 0;
+    bool tested = false;
+  };
+  Level level_of(const std::vector<LiftingPoint>& points) const;
+
+ private:
+  const Polygon& polygon_;
+  Vec2 centre_;
+  double radius_;
+  HoldRequirements hold_;
+  ContactFinder finder_;
+};
+
+// --- With the goal hold, choices of teams and sets of balanced robots are compared by the level of
+// their margin (algorithm.md, Choosing teams that hold).
+
+inline constexpr std::uint32_t best_level = 3;
+
+// The least margins of levels 1, 2 and 3, ascending.
+using LevelBounds = std::array<double, best_level>;
+inline LevelBounds level_bounds(double min_margin) {
+  constexpr double least_margin = 0.001, halfway = 0.4;
+  LevelBounds bounds{least_margin, halfway * min_margin, min_margin};
+  std::sort(bounds.begin(), bounds.end());
+  return bounds;
+}
+
+// The level of a margin, 0 .. best_level; 0 if there is no margin.
+inline std::uint32_t level_of(const std::optional<double>& margin, const LevelBounds& bounds) {
+  if (!margin) return 0;
+  return static_cast<std::uint32_t>(std::upper_bound(bounds.begin(), bounds.end(), *margin) -
+                                    bounds.begin());
+}
+
+// --- Whether a hold survives robots that are off along the outline (algorithm.md, Clearance and
+// tolerance). holds_within() in evenlift/closure.h explains it.
+
+class HoldErrors {
+ public:
+  // The polygon must outlive this object; `radius` is R. O(m log m) for m contacts.
+  HoldErrors(const Polygon& polygon, const Vec2& centre, double radius,
+             const std::vector<Contact>& contacts);
+
+  // Whether form closure surely persists if all robots are off by up to `error`. `known` is the
+  // margin of some of the contacts farther than that from corners, and its direction. With it the
+  // answer is mostly found at once: the margin is large enough, or the moments alone end the hold in
+  // that direction.
+  bool hold_within(double error, const WeakestDirection& known = {}) const;
+
+  // The supremum of the errors within which form closure persists; infinite if there is none.
+  double tolerance() const;
+
+ private:
+  struct Push {
+    Contact contact;
+    Wrench wrench;
+  };
+  struct Reached {
+    const Push* push;
+    double beside;  // the greatest distance of a wrench within reach from those on its own side
+  };
+
+  bool hold_without_others() const;
+  Wrench wrench_at(const Vec2& position, std::uint32_t edge) const;
+  double beside(const Push& push, double error) const;
+  std::vector<Reached> reached(double error) const;
+  bool is_lost_along(const Wrench& direction, double error) const;
+  double least_margin(const std::vector<Reached>& all, double most_beside, double error) const;
+
+  const Polygon& polygon_;
+  Vec2 centre_;
+  double radius_;
+  std::vector<Push> pushes_;
+};
+
+// --- The object and its robots' contacts in the form that the tests of form closure and the margin
+// need.
 
 // A touch is a contact together with the edge that it is on. The edge is directed with the interior
 // on its left, so the inward normal is the edge's direction turned by +90 degrees.

@@ -1,4 +1,4 @@
-#include "grasp/hold_errors.h"
+#include "grasp/grasp.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,7 @@
 
 #include "evenlift/tolerance.h"
 #include "exact/sorted_indices.h"
-#include "grasp/grasp.h"
-#include "polygon/outline_walk.h"
+#include "polygon/corners.h"
 
 namespace evenlift {
 namespace {

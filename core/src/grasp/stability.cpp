@@ -7,7 +7,6 @@
 
 #include "evenlift/loads.h"
 #include "evenlift/tolerance.h"
-#include "polygon/area_in_hull.h"
 #include "polygon/clip.h"
 
 namespace evenlift {

@@ -10,7 +10,6 @@
 #include "formats/readers.h"
 #include "import/joining/nesting.h"
 #include "numbers/number_text.h"
-#include "numbers/utf8.h"
 
 namespace evenlift {
 namespace {

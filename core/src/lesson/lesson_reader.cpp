@@ -9,7 +9,7 @@
 #include "evenlift/lesson.h"
 #include "evenlift/numbers.h"
 #include "evenlift/wording.h"
-#include "numbers/utf8.h"
+#include "numbers/number_text.h"
 
 namespace evenlift {
 namespace {

@@ -12,7 +12,6 @@
 #include "evenlift/settings.h"
 #include "evenlift/wording.h"
 #include "link/lesson_primer.h"
-#include "link/link_text.h"
 #include "link/payload.h"
 #include "link/range_coder.h"
 #include "numbers/text_cursor.h"

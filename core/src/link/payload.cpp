@@ -10,7 +10,7 @@
 #include "evenlift/numbers.h"
 #include "evenlift/settings.h"
 #include "exact/sorted_indices.h"
-#include "link/encodings.h"
+#include "link/quantizer.h"
 #include "link/records.h"
 #include "link/settings.h"
 #include "link/vertices.h"

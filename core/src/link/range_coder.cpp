@@ -8,8 +8,6 @@
 #include <utility>
 
 #include "exact/bits.h"
-#include "link/encodings.h"
-#include "link/quantized.h"
 #include "link/quantizer.h"
 
 namespace evenlift {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "evenlift/document.h"
-#include "link/quantized.h"
+#include "link/quantizer.h"
 #include "link/range_coder.h"
 #include "link/vertices.h"
 
@@ -22,6 +22,7 @@ namespace evenlift {
 // so that no two later versions use a number differently.
 using Tag = std::uint8_t;
 namespace tag {
+
 inline constexpr Tag end = 0;
 inline constexpr Tag units = 11;  // the unit of lengths, a comma, and the unit of weights
 inline constexpr Tag holes = 13;

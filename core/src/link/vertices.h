@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "exact/bits.h"
-#include "link/quantized.h"
+#include "link/quantizer.h"
 #include "link/range_coder.h"
 
 namespace evenlift {

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "evenlift/wording.h"
-#include "numbers/json_events.h"
 #include "numbers/number_text.h"
 #include "numbers/text_cursor.h"
 

@@ -10,7 +10,6 @@
 #include "exact/bits.h"
 #include "numbers/number_text.h"
 #include "numbers/text_cursor.h"
-#include "numbers/utf8.h"
 
 namespace evenlift {
 namespace {

@@ -10,9 +10,8 @@
 #include "evenlift/stability.h"
 #include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
-#include "grasp/hold_levels.h"
+#include "grasp/grasp.h"
 #include "optimum/rings.h"
-#include "optimum/triangles.h"
 #include "polygon/clip.h"
 #include "swaps/rounds.h"
 

@@ -12,8 +12,7 @@
 #include "evenlift/tilt.h"
 #include "evenlift/tolerance.h"
 #include "polygon/clip.h"
-#include "robustness/known_size.h"
-#include "robustness/standard_frame.h"
+#include "robustness/support.h"
 
 namespace evenlift {
 namespace {

@@ -10,8 +10,8 @@
 #include "evenlift/tilt.h"
 #include "evenlift/tolerance.h"
 #include "placement/robot_drift.h"
-#include "polygon/outline_walk.h"
-#include "robustness/known_size.h"
+#include "polygon/corners.h"
+#include "robustness/support.h"
 
 namespace evenlift {
 namespace {

@@ -14,7 +14,6 @@
 #include "evenlift/swaps.h"
 #include "evenlift/wording.h"
 #include "placement/describe.h"
-#include "placement/less_accuracy.h"
 
 namespace evenlift {
 namespace {

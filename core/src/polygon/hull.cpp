@@ -13,11 +13,8 @@
 #include "evenlift/tolerance.h"
 #include "exact/pseudo_angle.h"
 #include "exact/sorted_indices.h"
-#include "polygon/area_in_hull.h"
 #include "polygon/clip.h"
 #include "polygon/corners.h"
-#include "polygon/edge_tree.h"
-#include "polygon/straight_corner.h"
 
 namespace evenlift {
 namespace {

@@ -12,8 +12,7 @@
 #include "exact/double_double.h"
 #include "exact/dyadic.h"
 #include "exact/sorted_indices.h"
-#include "polygon/coordinates.h"
-#include "polygon/half_planes.h"
+#include "polygon/ring_sweep.h"
 
 namespace evenlift {
 namespace {

@@ -15,7 +15,6 @@
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
 #include "exact/sorted_indices.h"
-#include "polygon/coordinates.h"
 #include "polygon/moments.h"
 #include "polygon/ring_sweep.h"
 

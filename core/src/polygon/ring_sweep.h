@@ -1,16 +1,30 @@
-// Finds edges of rings that cross or touch, and for each ring the innermost ring around it. All
-// decisions are exact.
+// The least size of coordinates.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "evenlift/document.h"
 #include "evenlift/vec.h"
 #include "exact/sorted_indices.h"
 
 namespace evenlift {
+
+// Whether a coordinate is not 0 but nearer to 0 than is accepted. Differences of accepted
+// coordinates are 0 or at least 1e-116 in size, so lengths, areas and moments of even the thinnest
+// object stay far from underflow. O(1).
+inline bool is_too_near_to_0(double coordinate) {
+  return coordinate != 0 && std::fabs(coordinate) < min_coordinate;
+}
+inline bool is_too_near_to_0(const Vec2& v) {
+  return is_too_near_to_0(v.x) || is_too_near_to_0(v.y);
+}
+
+// --- Finds edges of rings that cross or touch, and for each ring the innermost ring around it. All
+// decisions are exact.
 
 // Rings in one list of vertices: ring r ends before ends[r]. Edge i runs from vertex i to the next
 // vertex of its ring.

@@ -10,8 +10,8 @@
 #include "evenlift/tolerance.h"
 #include "exact/sorted_indices.h"
 #include "placement/robot_drift.h"
-#include "robustness/known_size.h"
 #include "robustness/load_errors.h"
+#include "robustness/support.h"
 
 namespace evenlift {
 namespace {

@@ -12,7 +12,6 @@
 #include "evenlift/uncertainty.h"
 #include "exact/pseudo_angle.h"
 #include "exact/sorted_indices.h"
-#include "robustness/known_size.h"
 #include "robustness/support.h"
 
 namespace evenlift {

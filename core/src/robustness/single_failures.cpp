@@ -6,7 +6,7 @@
 #include "evenlift/load_models.h"
 #include "evenlift/stability.h"
 #include "evenlift/uncertainty.h"
-#include "robustness/known_size.h"
+#include "robustness/support.h"
 
 namespace evenlift {
 namespace {

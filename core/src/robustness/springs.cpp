@@ -4,7 +4,6 @@
 
 #include "evenlift/load_models.h"
 #include "evenlift/tolerance.h"
-#include "robustness/standard_frame.h"
 #include "robustness/support.h"
 
 namespace evenlift {

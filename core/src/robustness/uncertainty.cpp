@@ -9,9 +9,8 @@
 #include "evenlift/tolerance.h"
 #include "exact/pseudo_angle.h"
 #include "exact/sorted_indices.h"
-#include "robustness/known_size.h"
 #include "robustness/load_errors.h"
-#include "robustness/standard_frame.h"
+#include "robustness/support.h"
 
 namespace evenlift {
 namespace {

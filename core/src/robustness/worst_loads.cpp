@@ -9,7 +9,6 @@
 #include "exact/pseudo_angle.h"
 #include "exact/sorted_indices.h"
 #include "polygon/clip.h"
-#include "robustness/best_load.h"
 #include "robustness/support.h"
 
 namespace evenlift {

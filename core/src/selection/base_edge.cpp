@@ -10,7 +10,6 @@
 #include "exact/pseudo_angle.h"
 #include "exact/sorted_indices.h"
 #include "polygon/clip.h"
-#include "selection/gain_bounds.h"
 
 namespace evenlift {
 namespace {

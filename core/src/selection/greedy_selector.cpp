@@ -10,8 +10,7 @@
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 #include "exact/pseudo_angle.h"
-#include "polygon/straight_corner.h"
-#include "selection/growing_base.h"
+#include "polygon/corners.h"
 
 namespace evenlift {
 namespace {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "chords/ray_caster.h"
-#include "chords/section.h"
 #include "evenlift/angles.h"
 #include "evenlift/random.h"
 #include "selection/equal_angles.h"

@@ -12,7 +12,7 @@
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
 #include "exact/sorted_indices.h"
-#include "polygon/outline_walk.h"
+#include "polygon/corners.h"
 #include "stands/survey.h"
 
 namespace evenlift {

@@ -12,9 +12,6 @@
 #include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
 #include "exact/sorted_indices.h"
-#include "stands/losses.h"
-#include "stands/near_edges.h"
-#include "stands/obstacles.h"
 
 namespace evenlift {
 namespace {

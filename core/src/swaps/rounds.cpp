@@ -5,7 +5,7 @@
 
 #include "balanced/cover.h"
 #include "evenlift/tolerance.h"
-#include "grasp/hold_levels.h"
+#include "grasp/grasp.h"
 
 namespace evenlift::swaps {
 namespace {

@@ -8,7 +8,7 @@
 #include "balanced/cover.h"
 #include "evenlift/stands.h"
 #include "evenlift/swaps.h"
-#include "grasp/margins.h"
+#include "grasp/grasp.h"
 
 namespace evenlift::swaps {
 

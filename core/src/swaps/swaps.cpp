@@ -8,7 +8,7 @@
 #include "evenlift/settings.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
-#include "grasp/hold_levels.h"
+#include "grasp/grasp.h"
 #include "swaps/rounds.h"
 
 namespace evenlift {

@@ -1,4 +1,4 @@
-#include "trace/balanced_steps.h"
+#include "trace/step_rows.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,6 @@
 
 #include "evenlift/placed_robots.h"
 #include "evenlift/stability.h"
-#include "trace/margin_of.h"
 
 namespace evenlift {
 namespace {

@@ -12,7 +12,7 @@
 #include "evenlift/swaps.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
-#include "trace/balanced_steps.h"
+#include "trace/step_rows.h"
 
 namespace evenlift {
 namespace {

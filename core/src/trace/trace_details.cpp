@@ -1,14 +1,13 @@
 #include <algorithm>
 
 #include "candidates/pair_candidate.h"
-#include "chords/section.h"
+#include "chords/ray_caster.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/trace.h"
 #include "polygon/clip.h"
 #include "selection/base_edge.h"
-#include "trace/balanced_steps.h"
-#include "trace/margin_of.h"
+#include "trace/step_rows.h"
 
 namespace evenlift {
 

@@ -4,11 +4,9 @@
 #include <algorithm>
 
 #include "chords/ray_caster.h"
-#include "chords/section.h"
 #include "evenlift/plane.h"
 #include "evenlift/tolerance.h"
-#include "trace/balanced_steps.h"
-#include "trace/margin_of.h"
+#include "trace/step_rows.h"
 
 namespace evenlift {
 namespace {

@@ -1,10 +1,14 @@
 // Writes and reads comma-separated values (RFC 4180) whose rows end in line feeds.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "evenlift/experiment/measure.h"
+#include "evenlift/numbers.h"
 
 namespace evenlift::experiment::csv {
 
@@ -19,5 +23,51 @@ std::string line(const Row& row);
 // The rows of a text. Returns nothing if a quotation mark is still open at the end, if text follows
 // a closing one, or if the last row does not end in a line feed. O(bytes).
 std::optional<std::vector<Row>> read(std::string_view text);
+
+// --- Reads the fields of a row one after another. Part files (results.h) and shard lists
+// (shard_list.h) contain the experiment's settings as fields.
+
+class Fields {
+ public:
+  explicit Fields(const Row& row, std::size_t first = 0) : row_(row), at_(first) {}
+
+  std::string text() { return at_ < row_.size() ? row_[at_++] : (good_ = false, std::string()); }
+
+  double number() {
+    const std::optional<double> value = read_number(text());
+    good_ = good_ && value;
+    return value.value_or(0);
+  }
+
+  std::uint32_t whole() {
+    const std::optional<std::uint64_t> value = read_whole(text());
+    good_ = good_ && value && *value <= 0xFFFFFFFFu;
+    return good_ ? static_cast<std::uint32_t>(*value) : 0;
+  }
+
+  // Whether all fields were read and were valid.
+  bool done() const { return good_ && at_ == row_.size(); }
+
+ private:
+  const Row& row_;
+  std::size_t at_;
+  bool good_ = true;
+};
+
+inline Row settings_fields(const ExperimentSettings& settings) {
+  return {shortest(settings.min_ratio), std::to_string(settings.samples),
+          std::to_string(settings.most_teams), std::to_string(settings.most_balanced),
+          shortest(settings.weight)};
+}
+
+inline ExperimentSettings read_settings(Fields& fields) {
+  ExperimentSettings settings;
+  settings.min_ratio = fields.number();
+  settings.samples = fields.whole();
+  settings.most_teams = fields.whole();
+  settings.most_balanced = fields.whole();
+  settings.weight = fields.number();
+  return settings;
+}
 
 }  // namespace evenlift::experiment::csv

@@ -7,7 +7,6 @@
 #include "evenlift/formats.h"
 #include "evenlift/numbers.h"
 #include "experiment/measure/csv.h"
-#include "experiment/measure/fields.h"
 
 namespace evenlift::experiment {
 namespace {

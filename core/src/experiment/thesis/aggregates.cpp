@@ -12,7 +12,7 @@
 #include "evenlift/output/words.h"
 #include "evenlift/tolerance.h"
 #include "experiment/measure/csv.h"
-#include "experiment/thesis/markdown.h"
+#include "experiment/thesis/by_polygon.h"
 
 namespace evenlift::experiment {
 namespace {

@@ -9,7 +9,6 @@
 #include "evenlift/experiment/algorithm_average.h"
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
-#include "experiment/thesis/sentences.h"
 
 namespace evenlift::experiment {
 namespace {

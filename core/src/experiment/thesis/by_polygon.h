@@ -1,14 +1,71 @@
-// Computes what chapter 5 of the thesis states about single polygons rather than averages.
+// Writes tables in Markdown.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "evenlift/experiment/aggregates.h"
 
+namespace evenlift::experiment::markdown {
+
+// A cell that shows the text. Since names may contain any characters, the special characters of
+// HTML and Markdown are escaped, and control characters become spaces.
+inline std::string cell(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::string_view("\\|`*_~[]").find(c) != std::string_view::npos) out += '\\';
+    if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '&')
+      out += "&amp;";
+    else
+      out += byte < 0x20 || byte == 0x7f ? ' ' : c;
+  }
+  return out;
+}
+
+inline std::string row(const std::vector<std::string>& cells) {
+  std::string text = "|";
+  for (const std::string& c : cells) text += " " + c + " |";
+  return text + "\n";
+}
+
+}  // namespace evenlift::experiment::markdown
+
 namespace evenlift::experiment {
+
+// --- Writes a sentence or two about each figure from the figure's data.
+
+// `most_robots` is the largest number of robots in teams of two, or 0 if there are no such teams.
+// O(rows most_robots).
+using Sentence = std::string (*)(const std::vector<Aggregate>& aggregates,
+                                 std::uint32_t most_robots);
+
+std::string spread_sentence(const std::vector<Aggregate>&, std::uint32_t);
+std::string spread_deviation_sentence(const std::vector<Aggregate>&, std::uint32_t);
+std::string share_sentence(const std::vector<Aggregate>&, std::uint32_t);
+std::string share_deviation_sentence(const std::vector<Aggregate>&, std::uint32_t);
+std::string coverage_sentence(const std::vector<Aggregate>&, std::uint32_t);
+std::string coverage_deviation_sentence(const std::vector<Aggregate>&, std::uint32_t);
+std::string closure_sentence(const std::vector<Aggregate>&, std::uint32_t);
+
+// These functions write parts of such sentences. A no-break space keeps a value and its unit on one
+// line.
+std::string in_unit(double value, const std::string& unit);
+std::string in_kg(double value);
+std::string in_percent(double share);
+// Names the method in words: "by area", "at equal angles", "in balance".
+std::string by(Method method);
+// Joins the items: "1, 2 and 3". Empty if there are no items.
+std::string listed(const std::vector<std::string>& items);
+
+// --- Computes what chapter 5 of the thesis states about single polygons rather than averages.
 
 // `of` is the number of polygons or steps that count, and `yes` the number of those with a
 // property.

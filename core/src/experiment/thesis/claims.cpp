@@ -4,9 +4,8 @@
 #include "evenlift/output/json_text.h"
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
+#include "experiment/thesis/by_polygon.h"
 #include "experiment/thesis/claims_sections.h"
-#include "experiment/thesis/markdown.h"
-#include "experiment/thesis/sentences.h"
 
 namespace evenlift::experiment::claims {
 namespace {

@@ -7,7 +7,6 @@
 #include "evenlift/output/json_text.h"
 #include "evenlift/wording.h"
 #include "experiment/thesis/by_polygon.h"
-#include "experiment/thesis/sentences.h"
 
 namespace evenlift::experiment {
 namespace {

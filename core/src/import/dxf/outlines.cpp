@@ -4,9 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "import/dxf/degrees.h"
-#include "import/dxf/spline.h"
-
 namespace evenlift {
 namespace {
 

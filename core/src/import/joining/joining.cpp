@@ -9,7 +9,6 @@
 
 #include "import/joining/planar_faces.h"
 #include "import/joining/point_grid.h"
-#include "import/joining/point_order.h"
 
 namespace evenlift {
 namespace {

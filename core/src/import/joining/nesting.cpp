@@ -6,7 +6,7 @@
 
 #include "evenlift/hull.h"
 #include "evenlift/plane.h"
-#include "import/joining/point_order.h"
+#include "import/joining/planar_faces.h"
 
 namespace evenlift {
 namespace {

@@ -1,12 +1,20 @@
-// The faces of a planar graph of lines and curves.
+// An order of points that depends only on their coordinates.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
 #include "curves/outline.h"
+#include "evenlift/vec.h"
 
 namespace evenlift {
+
+// Whether a comes before b in order of x, then of y.
+inline bool is_before(const Vec2& a, const Vec2& b) {
+  return a.x < b.x || (a.x == b.x && a.y < b.y);
+}
+
+// --- The faces of a planar graph of lines and curves.
 
 struct GraphEdge {
   std::size_t from, to;  // indices of nodes

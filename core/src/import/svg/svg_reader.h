@@ -12,7 +12,6 @@
 #include "curves/outline.h"
 #include "evenlift/wording.h"
 #include "import/gathering.h"
-#include "import/svg/svg_paper.h"
 #include "import/svg/svg_style.h"
 #include "import/svg/svg_values.h"
 

@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "import/svg/svg_element.h"
-#include "import/svg/svg_paper.h"
 #include "import/svg/svg_values.h"
 #include "numbers/number_text.h"
 #include "numbers/text_cursor.h"

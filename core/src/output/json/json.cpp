@@ -8,7 +8,6 @@
 #include "evenlift/settings.h"
 #include "evenlift/stands.h"
 #include "output/json/robustness_json.h"
-#include "output/json/settings_json.h"
 
 namespace evenlift::json {
 namespace {

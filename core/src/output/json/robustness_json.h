@@ -8,6 +8,7 @@
 
 #include "evenlift/output/json_text.h"
 #include "evenlift/report.h"
+#include "evenlift/settings.h"
 
 namespace evenlift::json {
 
@@ -32,5 +33,15 @@ std::string failures(const Report& report, int depth);
 std::string accuracy(const Reported& of, int depth);
 std::string tilt(const std::optional<Tilt>& tilt, int depth);
 std::string extra(const std::optional<ExtraLoad>& extra, double weight, int depth);
+
+// --- A document's settings as members of a JSON object.
+
+// Adds the settings from `first` to `last` that the document's method uses and that `list` selects
+// (SettingRow::in_document or in_result), in the order of Setting. O(output).
+void add_settings(std::vector<Member>& members, const Document& document, Listed SettingRow::*list,
+                  Setting first, Setting last);
+
+std::string overlays(const Overlays& overlays);
+std::string robot(const RobotSize& robot);
 
 }  // namespace evenlift::json

@@ -11,7 +11,7 @@
 #include "evenlift/output/words.h"
 #include "evenlift/plane.h"
 #include "evenlift/stands.h"
-#include "output/words/ascii_number.h"
+#include "output/words/listed.h"
 
 namespace evenlift {
 

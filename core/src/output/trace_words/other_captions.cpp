@@ -8,8 +8,7 @@
 #include "evenlift/output/words.h"
 #include "evenlift/stands.h"
 #include "output/trace_words/step_captions.h"
-#include "output/trace_words/step_formulas.h"
-#include "output/trace_words/swap_answers.h"
+#include "output/trace_words/step_words.h"
 #include "output/words/listed.h"
 
 namespace evenlift {

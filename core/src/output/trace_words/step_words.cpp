@@ -12,7 +12,6 @@
 #include "evenlift/stands.h"
 #include "evenlift/wording.h"
 #include "output/trace_words/step_captions.h"
-#include "output/trace_words/step_formulas.h"
 
 namespace evenlift {
 namespace {

@@ -5,7 +5,7 @@
 #include "evenlift/output/trace_words.h"
 #include "evenlift/output/words.h"
 #include "evenlift/why_not.h"
-#include "output/trace_words/swap_answers.h"
+#include "output/trace_words/step_words.h"
 #include "output/trace_words/trace_text.h"
 #include "output/words/listed.h"
 

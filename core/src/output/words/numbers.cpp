@@ -7,7 +7,7 @@
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
 #include "numbers/number_text.h"
-#include "output/words/ascii_number.h"
+#include "output/words/listed.h"
 
 namespace evenlift {
 namespace {

@@ -1,10 +1,12 @@
 // The start of the search: sets of two, three and more robots, each built from smaller sets.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
-#include "balanced/completions.h"
+#include "balanced/rules.h"
+#include "evenlift/balanced.h"
 
 namespace evenlift::balanced {
 
@@ -37,5 +39,24 @@ StartSets start_sets(const Rules& rules, bool* cut_short = nullptr);
 inline constexpr std::size_t most_starts = 6;
 std::optional<StartSets> second_start(const Rules& rules, const std::vector<LiftingPoint>& now,
                                       BalancedWork& work);
+
+// --- Sets of robots with a size, for objects on which few sets fit. If the usable boundary is short,
+// completing smaller sets (completions.h) may find no set. So this search first chooses the number
+// of robots on each usable interval such that the centroid of all can be at C, and then the places
+// of the robots.
+
+// Returns up to `most` of the best such sets, the best first; none if robots are points that may
+// stand anywhere. The robots on one interval stand at equal distances, as close together as
+// possible, as far apart as possible, or in between. The search chooses the numbers of robots one
+// interval after another along the outline, from v*, the vertex farthest from C, on. It makes at
+// most most_nodes partial choices, so that the work is bounded and the same on every platform.
+inline constexpr std::size_t most_nodes = 100'000;
+std::vector<RatedSet> usable_sets(const Rules& rules, std::size_t most);
+
+// --- The swaps of the search for balanced robots. evenlift/balanced.h explains the two functions;
+// there they take a BalancedProblem, here its Rules.
+
+BalancedStep try_next_triple(const Rules& rules, BalancedSearch search);
+BalancedSearch finish_search(const Rules& rules, BalancedSearch search);
 
 }  // namespace evenlift::balanced
