@@ -10,6 +10,7 @@
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/polygons.h"
+#include "polygon/half_planes.h"
 #include "polygon/moments.h"
 
 using namespace evenlift;

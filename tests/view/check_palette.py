@@ -135,7 +135,7 @@ def check_everything():
         check_charts(scheme, colours_of[scheme], block)
     for path in ("web/page/page.css", "web/kit/dialogs.css", "native/experiment/page/report.css"):
         check_style(path, colours_of)
-    path = "core/src/output/svg/svg_style.h"
+    path = "core/src/output/svg/svg_parts.h"
     for name, colour in re.findall(r'(\w+)_colour = "(#\w+)"', read(path)):
         check(path, f"{name}_colour", colour, light[in_svg.get(name, name)])
     path = "web/page/index.html"

@@ -1,4 +1,4 @@
-// During drags of large objects a worker, here the tests, chooses teams (derive/elsewhere.h).
+// During drags of large objects a worker, here the tests, chooses teams (derive/search.h).
 #include <limits>
 
 #include "derive/search.h"

@@ -16,7 +16,7 @@ Settings taken_over(Settings settings, const Placement& placement);
 // robots balanced.
 bool stands_freely(const Placement& placement);
 
-// Moves a robot to the place from support_spot() (tools/support_spots.h). Robots of another method
+// Moves a robot to the place from support_spot() (tools/drawing.h). Robots of another method
 // are taken over first, and a notice offers the way back. A robot that is dragged out of the object
 // is removed until it returns, unless it is the only robot. In a challenge that is not a task, the
 // robot stays where it last could stand. O(m + n), plus a placement.

@@ -325,7 +325,7 @@ EMSCRIPTEN_KEEPALIVE int page_hovered_weight() {
   return pick.kind == Pick::Kind::cargo ? static_cast<int>(pick.index) : -1;
 }
 
-// --- The robots, as supports (edits/supports.h), with their planned loads
+// --- The robots, as supports (edits/by_hand.h), with their planned loads
 
 EMSCRIPTEN_KEEPALIVE int page_robot_count() {
   return static_cast<int>(supports_now(app().state).size());

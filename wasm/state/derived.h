@@ -33,7 +33,7 @@ struct Search {
   bool counting = false;  // the search that counts the robots is under way
 };
 
-// During a drag of a large object, a worker chooses the object's teams (derive/elsewhere.h). The
+// During a drag of a large object, a worker chooses the object's teams (derive/search.h). The
 // worker takes one document at a time, always the newest, and skips the documents in between.
 struct Elsewhere {
   std::uint64_t number = 0;  // of the last document for the worker
@@ -111,7 +111,7 @@ struct Given {
     bool cut_short = false;  // whether it ended by a limit of work
   };
   std::optional<Found> found;
-  // The worker's choice for the document with this number (derive/elsewhere.h). The choice is empty
+  // The worker's choice for the document with this number (derive/search.h). The choice is empty
   // if the document is refused, and absent if the worker failed.
   struct Chosen {
     std::uint64_t number;

@@ -1,4 +1,4 @@
-// The view's requests to the browser. Commands and derive() append requests, and page/browser.cpp
+// The view's requests to the browser. Commands and derive() append requests, and page/sdl_input.cpp
 // carries them out afterwards, in order.
 #pragma once
 
@@ -93,7 +93,7 @@ struct BeginSearch {
 };
 struct EndSearch {};
 
-// Lets a worker choose a document's teams (derive/elsewhere.h). The rings are the outline and the
+// Lets a worker choose a document's teams (derive/search.h). The rings are the outline and the
 // holes, as numbers. The choice arrives through page_take_choice().
 struct ChooseElsewhere {
   std::uint64_t number;

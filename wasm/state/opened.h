@@ -51,7 +51,7 @@ Result<Placement> compute_placement(const Document& document,
 Result<Placement> compute_as_chosen(const Document& document, const Placement& before,
                                     Choice choice);
 
-// Computes a placement for an offer (derive/offer.h) with Haste::drag, and counts it in `tries`.
+// Computes a placement for an offer (derive/derive.h) with Haste::drag, and counts it in `tries`.
 Result<Placement> try_placement(const Document& document, const Placement& before);
 
 // Returns whether the teams have the goal *hold*, and teams and candidates are few enough for swaps

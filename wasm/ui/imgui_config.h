@@ -19,7 +19,7 @@
 // The browser handles files; a page has no file system.
 #define IMGUI_DISABLE_FILE_FUNCTIONS
 
-// wasm/ui/fonts.cpp always provides fonts, so Dear ImGui's default font is omitted. Versions before
+// wasm/ui/theme.cpp always provides fonts, so Dear ImGui's default font is omitted. Versions before
 // 1.92 have no such switch.
 #define IMGUI_DISABLE_DEFAULT_FONT
 

@@ -1,4 +1,4 @@
-// Functions that the program calls (wasm/page/browser.cpp), and functions of the page for its windows.
+// Functions that the program calls (wasm/page/sdl_input.cpp), and functions of the page for its windows.
 import { say, translated } from "../words/words.js";
 import { isLessonLink, linkIn, readAddress, withLesson, withPlaces } from "./address.js";
 import { createChoosing } from "./choosing.js";

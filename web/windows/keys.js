@@ -1,4 +1,4 @@
-// The keys, by groups, from the program's own table (wasm/actions/key_list.h).
+// The keys, by groups, from the program's own table (wasm/actions/actions.h).
 import { buttonTo, fadeFoot, openWindow } from "../kit/dialogs.js";
 import { el } from "../kit/elements.js";
 import { say, translated } from "../words/words.js";

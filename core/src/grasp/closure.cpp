@@ -11,6 +11,7 @@
 #include "exact/sorted_indices.h"
 #include "grasp/grasp.h"
 #include "polygon/clip.h"
+#include "polygon/half_planes.h"
 #include "polygon/moments.h"
 
 namespace evenlift {
