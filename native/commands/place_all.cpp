@@ -98,15 +98,6 @@ ShapeResult result_of(std::size_t number, const ImportedShape& shape, const Plac
 std::string yes_or_no(bool value) { return value ? "yes" : "no"; }
 
 std::string table_of(const std::vector<ShapeResult>& results, bool conditions) {
-  // A column without a value, such as the use without capacities, is left out.
-  const auto is_empty = [&](std::size_t i) {
-    const auto knows = [&](const ShapeResult& each) {
-      return i < each.columns.size() && each.columns[i];
-    };
-    const bool any = std::any_of(results.begin(), results.end(),
-                                 [](const ShapeResult& each) { return !each.columns.empty(); });
-    return any && std::none_of(results.begin(), results.end(), knows);
-  };
   const std::vector<const Quantity*> shown = columns();
   double heaviest = 0;  // for the decimals of loads
   bool capacities = false;
@@ -117,8 +108,11 @@ std::string table_of(const std::vector<ShapeResult>& results, bool conditions) {
     capacities = capacities || result.overloaded;
   }
   std::vector<Row> rows = {{"shape", "name", "vertices", "robots"}};
-  for (std::size_t i = 0; i < shown.size(); ++i)
-    if (!is_empty(i)) rows[0].emplace_back(shown[i]->column);
+  const auto is_shown = [&](const Quantity* column) {
+    return capacities || !column->needs_capacities;
+  };
+  for (const Quantity* column : shown)
+    if (is_shown(column)) rows[0].emplace_back(column->column);
   if (capacities) rows[0].push_back("overloaded");
   if (conditions) rows[0].push_back("kept");
   std::vector<std::string> remarks(1);
@@ -128,7 +122,7 @@ std::string table_of(const std::vector<ShapeResult>& results, bool conditions) {
     if (result.refusal.empty()) {
       row.push_back(std::to_string(result.robots));
       for (std::size_t i = 0; i < shown.size(); ++i) {
-        if (is_empty(i)) continue;
+        if (!is_shown(shown[i])) continue;
         const bool is_known = i < result.columns.size() && result.columns[i];
         row.push_back(is_known ? cell_in_words(*shown[i], *result.columns[i], heaviest) : "-");
       }

@@ -293,8 +293,15 @@ std::string why_asked(const Import& import) {
          (import.notes.empty() ? std::string() : " (" + import.notes[0] + ")");
 }
 
+// Sheets, which come last, do not count.
+std::size_t count_parts(const Import& import) {
+  const auto sheets = std::count_if(import.shapes.begin(), import.shapes.end(),
+                                    [](const ImportedShape& each) { return each.sheet; });
+  return import.shapes.size() - static_cast<std::size_t>(sheets);
+}
+
 std::size_t only_shape(const Import& import, const std::string& source) {
-  if (import.shapes.size() == 1 && !import.doubtful) return 0;
+  if (count_parts(import) == 1 && !import.doubtful) return 0;
   throw Failure{bad_input_status, source, why_asked(import) + "; --shape N selects one",
                 listed(import.shapes)};
 }
@@ -378,6 +385,7 @@ std::vector<ImportedShape> all_shapes(const std::string& text, const std::string
   for (const ImportedShape& shape : import.shapes)
     if (shape.tolerance) tolerance = std::max(tolerance.value_or(0), *shape.tolerance);
   report(import, tolerance, source, options);
+  import.shapes.resize(count_parts(import));
   if (!options.offered && (import.shapes.size() > 1 || import.doubtful))
     say(source, why_asked(import) + "; all shapes are taken");
   return std::move(import.shapes);

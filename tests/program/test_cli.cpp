@@ -302,9 +302,9 @@ TEST_CASE("the option --shape all places every shape, whatever becomes of the ot
     CHECK(good.errors.empty());
     CHECK(
         good.output ==
-        "  shape       name  vertices  robots  greatest load  least load  coverage  held  overloaded\n"
-        "      1      table         4       6           16.7        16.7     100\u00A0%    no           6\n"
-        "      2  rectangle         4       6           16.7        16.7     100\u00A0%    no           6\n");
+        "  shape       name  vertices  robots  greatest load  least load  coverage    use  held  overloaded\n"
+        "      1      table         4       6           16.7        16.7     100\u00A0%  112\u00A0%    no           6\n"
+        "      2  rectangle         4       6           16.7        16.7     100\u00A0%  112\u00A0%    no           6\n");
     const Outcome mixed = run(folder, "evenlift place mixed.svg --shape all");
     CHECK(mixed.status == 2);
     CHECK(mixed.errors == "evenlift: mixed.svg: 1 of 2 shapes was refused\n");

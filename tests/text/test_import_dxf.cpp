@@ -505,3 +505,39 @@ TEST_CASE("DXF: units of new and old drawings", "[import][dxf]") {
   CHECK(unit({{9, "$ACADVER"}, {1, "AC1032"}, {9, "$INSUNITS"}, {70, 21}}) == "US survey feet");
   CHECK(unit({{9, "$MEASUREMENT"}, {70, 1}}).empty());
 }
+
+TEST_CASE("names of layers are read in the drawing's code page", "[import][dxf]") {
+  const auto layer = [](const std::string& page, const std::string& name) {
+    const std::string header =
+        page.empty() ? "" : "0\nSECTION\n2\nHEADER\n9\n$DWGCODEPAGE\n3\n" + page + "\n0\nENDSEC\n";
+    const std::string square =
+        "0\nLWPOLYLINE\n8\n" + name + "\n70\n1\n10\n0\n20\n0\n10\n9\n20\n0\n10\n9\n20\n9\n";
+    return evenlift::testing::read(header + "0\nSECTION\n2\nENTITIES\n" + square +
+                                   "0\nENDSEC\n0\nEOF\n");
+  };
+  const auto name = [&](const std::string& page, const std::string& bytes) {
+    return layer(page, bytes).shapes.at(0).name;
+  };
+  CHECK(name("ANSI_1252",
+             "Au\xDF"
+             "enma\xDF") == "Außenmaß");
+  CHECK(name("ANSI_1250",
+             "\xA3\xF3"
+             "d\x9F") == "Łódź");
+  CHECK(name("ANSI_1251", "\xCA\xEE\xED\xF2\xF3\xF0") == "Контур");
+  CHECK(name("ANSI_932", "\x8A\x4F\x8C\x60") == "外形");
+  CHECK(name("ANSI_936", "\xCD\xE2\xD0\xCE") == "外形");
+  CHECK(name("ANSI_949", "\xBF\xDC\xC7\xFC") == "외형");
+  CHECK(name("ANSI_950", "\xA5\x7E\xA7\xCE") == "外形");
+  // UTF-8 stays, whatever the header says; letters may be written by their number.
+  CHECK(name("ANSI_1252", "Außenmaß") == "Außenmaß");
+  CHECK(name("", "Au\\U+00DFen") == "Außen");
+  CHECK(name("", "\\U+5916\\U+5F62") == "外形");
+  CHECK(name("", "\\U+D83D\\U+12") == "\\U+D83D\\U+12");
+  // A byte without a letter, and a page that is not known.
+  CHECK(name("ANSI_932", "A\x8A") == "A\uFFFD");
+  const Import unknown = layer("dos437",
+                               "gr\x94\xE1"
+                               "e");
+  CHECK(unknown.notes.back() == "names are in the code page dos437, which is not known here");
+}

@@ -389,3 +389,136 @@ TEST_CASE("degrees of holes and cargo are converted with the outline", "[import]
   CHECK(document.holes[0][2] == document.settings.cargo[0].at);
   CHECK(object_of(document).ok());
 }
+
+namespace {
+
+std::string rectangle(double x, double y, double width, double height,
+                      const std::string& more = "") {
+  return "<rect x='" + shortest(x) + "' y='" + shortest(y) + "' width='" + shortest(width) +
+         "' height='" + shortest(height) + "' " +
+         (more.empty() ? "fill='none' stroke='red'" : more) + "/>";
+}
+
+Points square_at(double x, double y, double side) {
+  return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
+}
+
+std::string on_layer(const std::string& layer, std::string entity) {
+  return entity.insert(entity.find('\n', 2) + 1, "8\n" + layer + "\n");
+}
+
+std::size_t sheets(const Import& import) {
+  std::size_t count = 0;
+  for (const ImportedShape& shape : import.shapes) count += shape.sheet;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a white page, or one as large as the view box, is no plate", "[import][holes]") {
+  const std::string plate = rectangle(20, 20, 120, 80) + rectangle(40, 40, 10, 10);
+  const std::string size = "viewBox='0 0 600 400'";
+  for (const std::string& page :
+       {rectangle(0, 0, 600, 400, "fill='white'"), rectangle(0, 0, 600, 400, "fill='#FFFFFF'"),
+        rectangle(0, 0, 600, 400, "fill='#eee'"), rectangle(0, 0, 600, 400),
+        rectangle(1, 1, 598, 398), std::string("<path fill='#ffffff' d='M0 0H600V400H0Z'/>")}) {
+    INFO(page);
+    const Import import = read(svg(page + plate, size));
+    REQUIRE(import.shapes.size() == 2);
+    CHECK(bounding_box(import.shapes[0].document.vertices).size() == Vec2(120, 80));
+    CHECK(import.shapes[0].document.holes.size() == 1);
+    CHECK(sheets(import) == 1);
+  }
+  const Import import = read(svg(rectangle(0, 0, 600, 400, "fill='white'") + plate, size));
+  CHECK(import.notes.at(0) == "1 rectangle around all else was read as the sheet, and comes last");
+  CHECK(describe(import.shapes[1]) == "sheet, rectangle, 4 vertices, 600 x 400");
+  // A single outline on the page.
+  CHECK(counts(svg(rectangle(0, 0, 600, 400, "fill='white'") + rectangle(20, 20, 120, 80), size)) ==
+        Words{"4", "4"});
+  // Filled parts, also with holes, on a page that is not white.
+  const std::string filled =
+      "<path fill='blue' fill-rule='evenodd' d='M20 20h90v90h-90zM40 40h9v9h-9z'/>";
+  CHECK(counts(svg(rectangle(0, 0, 600, 400, "fill='gray'") + filled, size)) == Words{"4+1", "4"});
+  // A plate that fills the page stays one, with its holes.
+  const std::string hole = rectangle(40, 40, 10, 10);
+  for (const char* look :
+       {"fill='none' stroke='red'", "fill='white' stroke='black'", "fill='blue'"}) {
+    INFO(look);
+    CHECK(counts(svg(rectangle(0, 0, 600, 400, look) + hole, size)) == Words{"4+1"});
+  }
+  // Alone it is what there is.
+  CHECK(sheets(read(svg(rectangle(0, 0, 600, 400, "fill='white'"), size))) == 0);
+}
+
+TEST_CASE("a frame, by its layer or by parts with holes in it, is no plate", "[import][holes]") {
+  const std::string frame = polyline(square_at(0, 0, 300)), part = polyline(square_at(60, 60, 100));
+  for (const char* layer : {"FRAME", "Border", "title block", "A3-Rahmen", "SHEET_1"}) {
+    INFO(layer);
+    CHECK(sheets(read(dxf(on_layer(layer, frame) + on_layer("PART", part)))) == 1);
+  }
+  CHECK(sheets(read(dxf(on_layer("Framework", frame) + on_layer("PART", part)))) == 0);
+  // Without a name, a part with a hole of its own tells it; the parts are then its holes, too.
+  const Import nested =
+      read(dxf(frame + part + circle(100, 100, 20) + polyline(square_at(200, 200, 50))));
+  REQUIRE(nested.shapes.size() == 3);
+  CHECK(nested.shapes[0].document.holes.size() == 1);
+  CHECK(nested.shapes[2].sheet);
+  CHECK(nested.shapes[2].document.holes.size() == 2);
+  // With a single part, it may be a plate with a ring in its hole.
+  CHECK(sheets(read(dxf(frame + part + circle(100, 100, 20)))) == 0);
+  // A second border within the first.
+  const Import two = read(dxf(frame + polyline(square_at(10, 10, 280)) + part +
+                              polyline(square_at(200, 200, 50)) + circle(100, 100, 20)));
+  REQUIRE(two.shapes.size() == 4);
+  CHECK(two.shapes[0].document.holes.size() == 1);
+  CHECK(sheets(two) == 2);
+}
+
+TEST_CASE("a plate with holes stays one, however many they are", "[import][holes]") {
+  const std::string plate = polyline(square_at(0, 0, 300));
+  std::string holes;
+  for (const double x : {30.0, 130.0, 230.0})
+    for (const double y : {30.0, 130.0, 230.0}) holes += circle(x, y, 20);
+  const Import drilled = read(dxf(plate + holes));
+  REQUIRE(drilled.shapes.size() == 1);
+  CHECK(drilled.shapes[0].document.holes.size() == 9);
+  // Not a rectangle, or not around everything: no sheet.
+  CHECK(sheets(read(dxf(polyline({{0, 0}, {300, 0}, {300, 310}, {0, 300}}) +
+                        polyline(square_at(60, 60, 100)) + circle(100, 100, 20)))) == 0);
+  CHECK(sheets(read(dxf(plate + polyline(square_at(60, 60, 100)) + circle(100, 100, 20) +
+                        polyline(square_at(400, 0, 10))))) == 0);
+}
+
+TEST_CASE("outlines nested at any depth are each a shape or a hole of one", "[import][holes]") {
+  Rng rng(8);
+  for (int round = 0; round < 200; ++round) {
+    // Squares in each other, some with a neighbour.
+    std::string drawing;
+    double at = 0, side = 1000;
+    std::size_t outlines = 0;
+    const std::size_t depth = 1 + rng.below(8);
+    for (std::size_t level = 0; level < depth; ++level) {
+      drawing += polyline(square_at(at, at, side));
+      ++outlines;
+      if (rng.below(3) == 0) {
+        drawing += polyline(square_at(at + side * 0.8, at + side * 0.8, side * 0.1));
+        ++outlines;
+      }
+      at += side * 0.1;
+      side *= 0.5;
+    }
+    const Import import = read(dxf(drawing));
+    INFO(drawing);
+    std::size_t found = 0;
+    for (const ImportedShape& shape : import.shapes) {
+      found += 1 + (shape.sheet ? 0 : shape.document.holes.size());
+      CHECK(
+          PolygonWithHoles::create(*Polygon::create(shape.document.vertices), shape.document.holes)
+              .ok());
+    }
+    CHECK(found == outlines);
+    // Sheets come last.
+    CHECK(std::is_partitioned(import.shapes.begin(), import.shapes.end(),
+                              [](const ImportedShape& shape) { return !shape.sheet; }));
+  }
+}

@@ -495,3 +495,27 @@ TEST_CASE("an SVG's own entities are put in their places, within bounds", "[impo
   }
   CHECK(why(svg(silence, "&s7;")).find("64 MiB") != std::string::npos);
 }
+
+TEST_CASE("SVG: the size and place of shapes may be a style", "[import][svg]") {
+  const auto sizes = [](const std::string& content) {
+    std::string text;
+    for (const ImportedShape& shape :
+         evenlift::testing::read("<svg>" + content + "</svg>").shapes) {
+      const Vec2 size = bounding_box(shape.document.vertices).size();
+      text += std::to_string(std::lround(size.x)) + "x" + std::to_string(std::lround(size.y)) + " ";
+    }
+    return text;
+  };
+  CHECK(sizes("<rect style='width: 120px; height:80px'/>") == "120x80 ");
+  CHECK(sizes("<style>.p{width:120px;height:80px;x:5;y:7}</style><rect class='p' width='3'/>") ==
+        "120x80 ");
+  CHECK(sizes("<circle style='r:40;cx:1;cy:2'/>") == "80x80 ");
+  CHECK(sizes("<ellipse style='rx:40;ry:20'/>") == "80x40 ");
+  CHECK(sizes("<path style='d: path(\"M0 0H120V80H0Z\")'/>") == "120x80 ");
+  CHECK(sizes("<rect width='120' height='80' style='rx:auto'/>") == "120x80 ");
+  // Lines have no such styles.
+  CHECK(
+      sizes(
+          "<g stroke='red'><line x2='9' style='x2:4'/><line x2='9' y2='9'/><line x1='9' x2='9' y2='9'/></g>") ==
+      "9x9 ");
+}

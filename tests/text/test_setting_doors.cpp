@@ -374,8 +374,14 @@ TEST_CASE("docs and types name each quantity that results tell", "[doors][quanti
   const auto lacks = [](const std::string& text, const std::string& words) {
     return text.find(words) == std::string::npos;
   };
+  const std::set<std::string> objects{"loads", "closure", "robustness", "accuracy", "capacity"};
   for (const Quantity& quantity : quantities()) {
     const std::string condition(quantity.condition), json(quantity.json);
+    INFO(condition << " " << json << " " << (quantity.label ? quantity.label : ""));
+    CHECK((quantity.value || (condition.empty() && json.empty() && quantity.column.empty())));
+    CHECK(condition.empty() == quantity.subject.empty());
+    CHECK((quantity.label != nullptr) == (quantity.about && quantity.in_words));
+    if (!json.empty()) CHECK(objects.contains(json.substr(0, json.find('.'))));
     if (!condition.empty() && lacks(cli, "`" + condition + "`"))
       FAIL_CHECK("docs/cli.md has no row for the condition " << condition);
     if (!condition.empty() && lacks(header, "//   " + condition + " "))

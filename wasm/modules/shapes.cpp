@@ -43,6 +43,7 @@ std::string shape_json(const Import& import, const ImportedShape& shape) {
   const Document& document = shape.document;
   return json::object({{"name", json::text(shape.name)},
                        {"description", json::text(describe(shape))},
+                       {"sheet", json::boolean(shape.sheet)},
                        {"tolerance", json::number(shape.tolerance.value_or(0))},
                        {"outline", thinned(document.vertices)},
                        {"holes", thinned(document.holes)},

@@ -157,7 +157,11 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
       all: number(left),
     });
   }
-  const likely = () => list.querySelectorAll("button")[largest(found.shapes.slice(0, atOnce))];
+  // Sheets come last, and are seldom what is looked for.
+  const likely = () => {
+    const parts = found.shapes.filter(({ sheet }) => !sheet);
+    return list.querySelectorAll("button")[largest((parts.length ? parts : found.shapes).slice(0, atOnce))];
+  };
   function fill() {
     list.replaceChildren();
     show(atOnce);

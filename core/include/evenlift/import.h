@@ -38,6 +38,8 @@ struct ImportedShape {
   // The greatest distance of edges from the curves that they replace, also in holes; not set if
   // there are no curves.
   std::optional<double> tolerance;
+  // Whether it is the sheet or border of a drawing rather than a part on it. Sheets come last.
+  bool sheet = false;
 };
 
 inline constexpr std::size_t most_open_points = 10000;
@@ -131,6 +133,13 @@ struct Import {
 // that meets no other piece. An unfilled outline that is directly inside a shape is a hole of that
 // shape, and a note gives the number of such holes. Filled outlines are shapes, and so are outlines
 // in a hole. Outlines that touch or cross are separate shapes.
+//
+// A rectangle that encloses all else in a drawing is its sheet, not a part, if it is painted white
+// without a stroke; if its layer or name is one such as frame, border, title block or Rahmen; if it is
+// as large as the SVG's view box, with more than holes in it; or if several outlines lie in it, one of
+// them with a hole of its own. What lies on the sheet is then read as if the sheet were not there, and
+// the sheet comes last. In the last two cases, lines that lie directly on it are also its holes.
+// Several sheets may lie in each other.
 //
 // A vertex that equals the preceding one is dropped, with a note unless the text is a drawing. The
 // last vertex of a ring is dropped if it equals the first or, in a drawing, if their distance is at

@@ -26,7 +26,7 @@ struct Asked {
 // Robots are counted from 0, as in find_robot() (loads.h). Without robots, facts about them have
 // their defaults. "Under the given conditions" means within `disturbance`.
 struct Report {
-  Asked known;
+  Asked known;  // what was asked for so far
 
   // The given conditions, what they amount to for these robots (uncertainty.h), and whether the
   // object can tip under them (tips_when_disturbed()).
@@ -96,7 +96,8 @@ Report report_of(const ShownPlacement& of, const Asked& asked = {});
 // told by asked.model. Costs only what is added.
 void complete(Report& report, const ShownPlacement& of, const Asked& asked);
 
-// The report of a placement after a failure (with_failure()). `rest` is the effect of the failure,
+// The report of a placement after a failure (with_failure()): how the others stand and hold the
+// object, their loads, accuracy and capacities. `rest` is the effect of the failure,
 // and `loads` those of the others (ranges_without()), or empty if they are those of the placement.
 Report report_of_failure(const ShownPlacement& failing, std::size_t robot,
                          const std::optional<RestOfRobots>& rest, std::vector<LoadRange> loads);

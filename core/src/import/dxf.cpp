@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "evenlift/wording.h"
+#include "import/dxf/code_page.h"
 #include "import/dxf/drawing.h"
 #include "import/dxf/outlines.h"
 #include "import/gathering.h"
@@ -148,7 +149,7 @@ void DxfReader::take_drawn(DxfEntity& entity, std::string_view layer, const Fram
         {ErrorCode::too_many_vertices, "the DXF drawing has more than 1048576 lines and arcs", {}});
   Outline outline = frame.block ? transformed(drawn.outline, frame.map) : std::move(drawn.outline);
   // Layer 0 is the default: its name carries no meaning.
-  const std::string_view name = layer == "0" ? std::string_view() : layer;
+  const std::string name = layer == "0" ? std::string() : with_letters(layer);
   if (drawn.closed_kind) return gathering_.add({{outline}, name, drawn.closed_kind});
   if (!within_bounds(outline))
     return gathering_.add_problem(
@@ -281,7 +282,12 @@ Result<Import> DxfReader::read() {
 }  // namespace
 
 Result<Import> read_dxf(std::string_view text, const ImportOptions& options) {
-  return DxfReader(text, options).read();
+  const DxfLetters letters = in_utf8(text);
+  Result<Import> import = DxfReader(letters.text ? *letters.text : text, options).read();
+  if (import && !letters.unknown.empty())
+    import->notes.push_back(say("names are in the code page {page}, which is not known here",
+                                {clean_name(letters.unknown)}));
+  return import;
 }
 
 bool looks_like_dxf(std::string_view text) {

@@ -251,7 +251,7 @@ void Gathering::add_filled(const DrawnShape& drawn, std::vector<Flattened> rings
     Flattened& outline = rings[filled.outline];
     for (const std::size_t hole : filled.holes) take_hole(outline.shape, rings[hole].shape);
     import.shapes.push_back(std::move(outline.shape));
-    drawn_.push_back({true, paths_, outline.part});
+    drawn_.push_back({true, drawn.white, paths_, outline.part});
   }
 }
 
@@ -268,7 +268,7 @@ void Gathering::add(const DrawnShape& drawn) {
   if (drawn.fill != Fill::none) return add_filled(drawn, std::move(rings));
   for (Flattened& ring : rings) {
     import.shapes.push_back(std::move(ring.shape));
-    drawn_.push_back({false, paths_, ring.part});
+    drawn_.push_back({false, false, paths_, ring.part});
   }
 }
 
@@ -357,20 +357,108 @@ void Gathering::name_parts(const std::vector<OutlineWithHoles>& shapes) {
   }
 }
 
+namespace {
+
+// Layers and names of sheets, as whole words or at the beginning of one.
+bool names_sheet(std::string_view name) {
+  static constexpr std::string_view words[] = {"frame",
+                                               "border",
+                                               "sheet",
+                                               "titleblock",
+                                               "title",
+                                               "page",
+                                               "paper",
+                                               "canvas",
+                                               "background",
+                                               "rahmen",
+                                               "zeichnungsrahmen",
+                                               "blatt",
+                                               "blattrahmen",
+                                               "schriftfeld",
+                                               "schriftkopf",
+                                               "cadre",
+                                               "cartouche",
+                                               "feuille",
+                                               "marco",
+                                               "hoja",
+                                               "cajetin",
+                                               "cornice",
+                                               "foglio",
+                                               "cartiglio",
+                                               "squadratura",
+                                               "folha",
+                                               "moldura",
+                                               "kader",
+                                               "blad",
+                                               "ramka",
+                                               "arkusz",
+                                               "ram",
+                                               "\u0440\u0430\u043c\u043a\u0430",
+                                               "\u043b\u0438\u0441\u0442",
+                                               "\u56fe\u6846",
+                                               "\u56f3\u67a0"};
+  std::string word;
+  const auto is_one = [&] {
+    return std::find(std::begin(words), std::end(words), word) != std::end(words);
+  };
+  for (const char c : name) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c < 0;
+    if (letter) {
+      word += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    } else {
+      if (is_one()) return true;
+      word.clear();
+    }
+  }
+  return is_one();
+}
+
+// As large as the page, within a hundredth.
+bool is_of_size(const Points& outline, const std::optional<Vec2>& paper) {
+  if (!paper) return false;
+  const Vec2 size = bounding_box(outline).size();
+  return std::abs(size.x - paper->x) <= paper->x / 100 &&
+         std::abs(size.y - paper->y) <= paper->y / 100;
+}
+
+}  // namespace
+
 void Gathering::nest_outlines() {
   std::vector<ClosedOutline> outlines;
   for (std::size_t i = 0; i < import.shapes.size(); ++i) {
-    const Document& document = import.shapes[i].document;
-    outlines.push_back({&document.vertices, &document.holes, drawn_[i].filled});
+    const ImportedShape& shape = import.shapes[i];
+    const Document& document = shape.document;
+    outlines.push_back({&document.vertices, &document.holes, drawn_[i].filled,
+                        drawn_[i].white || names_sheet(shape.name),
+                        is_of_size(document.vertices, paper)});
   }
   const Nesting nesting = nest(outlines);
   name_parts(nesting.shapes);
+  // Holes of sheets are shapes, too.
+  std::vector<ImportedShape> sheets;
+  for (std::size_t i = nesting.shapes.size() - nesting.sheets; i < nesting.shapes.size(); ++i) {
+    const OutlineWithHoles& nested = nesting.shapes[i];
+    sheets.push_back(std::move(import.shapes[nested.outline]));
+    sheets.back().sheet = true;
+    for (const std::size_t hole : nested.holes) {
+      const Points& ring = import.shapes[hole].document.vertices;
+      vertices_ += ring.size();
+      if (vertices_ <= max_vertices) sheets.back().document.holes.push_back(ring);
+    }
+  }
   std::vector<ImportedShape> shapes;
-  for (const OutlineWithHoles& nested : nesting.shapes) {
+  for (std::size_t i = 0; i + nesting.sheets < nesting.shapes.size(); ++i) {
+    const OutlineWithHoles& nested = nesting.shapes[i];
     shapes.push_back(std::move(import.shapes[nested.outline]));
     for (const std::size_t hole : nested.holes) take_hole(shapes.back(), import.shapes[hole]);
   }
+  for (ImportedShape& sheet : sheets) shapes.push_back(std::move(sheet));
   import.shapes = std::move(shapes);
+  if (nesting.sheets > 0)
+    note(say(nesting.sheets == 1
+                 ? "{count} rectangle around all else was read as the sheet, and comes last"
+                 : "{count} rectangles around all else were read as sheets, and come last",
+             {nesting.sheets}));
   if (nesting.repeated > 0)
     note(say(nesting.repeated == 1 ? "{count} outline that repeats another was left out"
                                    : "{count} outlines that repeat another were left out",

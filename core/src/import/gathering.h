@@ -56,6 +56,7 @@ struct DrawnShape {
   std::string_view name;
   std::string kind;
   Fill fill = Fill::none;
+  bool white = false;  // filled with white, without a stroke
 };
 
 class Gathering {
@@ -64,6 +65,7 @@ class Gathering {
 
   Import import;
   LeftOut left_out;
+  std::optional<Vec2> paper;  // the size of the drawing's page, if it has one
 
   // Adds the shapes that the closed parts form when filled. Without a fill, each part is added as
   // an outline, and finish() decides which outlines are shapes and which are holes. A part with a
@@ -96,7 +98,7 @@ class Gathering {
 
  private:
   struct Drawn {
-    bool filled;
+    bool filled, white;
     std::size_t path, part;  // counted from 1
   };
   struct Flattened;

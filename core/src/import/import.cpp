@@ -170,6 +170,7 @@ std::string describe(const ImportedShape& shape) {
   const Vec2 size = bounding_box(shape.document.vertices).size();
   const std::size_t holes = shape.document.holes.size();
   std::string text = shape.name.empty() ? "" : in_quotes(shape.name) + ", ";
+  if (shape.sheet) text += std::string(translated("sheet")) + ", ";
   text += std::string(translated(shape.kind)) + ", " +
           counted(shape.document.vertices.size(), "vertex", "vertices") + ", ";
   if (holes > 0) text += counted(holes, "hole", "holes") + ", ";

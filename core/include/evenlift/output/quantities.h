@@ -23,19 +23,21 @@ struct Quantity {
   std::optional<double> (*value)(const Reported& of) = nullptr;
   Unit unit = Unit::number;
 
-  // Where it appears, unless these are empty.
-  std::string_view condition;   // its name in --require
+  // Where it appears, unless these are empty. A condition, a member and a column need `value`; in
+  // JSON, no value and no limit are both null.
+  std::string_view condition;   // its name in --require, with `subject`
   std::string_view subject;     // there: a sentence if it is yes or no, else its subject
-  std::string_view json;        // its member, in the object before the dot: "loads.max"
-  const char* label = nullptr;  // in the list of facts
+  std::string_view json;        // "loads.max": of loads, closure, robustness, accuracy or capacity
+  const char* label = nullptr;  // in the list of facts, with `about` and `in_words`
   std::string_view column;      // the heading of a column
 
-  // Of facts: the meaning, and the condition under which it is true. The text is empty if it is not
-  // told now.
+  // Of facts: the meaning, and the condition under which it is true; and the value, rounded so that
+  // it stays true. The text is empty if the fact has no place among the others now.
   const char* about = nullptr;
   std::string (*in_words)(const Reported& of) = nullptr;
 
-  bool needs_failures = false;  // of Asked
+  bool needs_failures = false;    // of Asked
+  bool needs_capacities = false;  // otherwise it has no column
 };
 
 // All quantities, in the order in which they appear.

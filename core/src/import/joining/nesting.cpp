@@ -119,6 +119,79 @@ bool repeats(const OutlineInOrder& first, const OutlineInOrder& second,
   return first.role == Role::shape && holes_of(first) == holes_of(second);
 }
 
+bool is_rectangle(const OutlineInOrder& outline) {
+  const Box& box = outline.box;
+  const double exact = 1e-6 * box.diagonal();
+  const auto is_corner = [&](const Vec2& p) {
+    return std::min(std::abs(p.x - box.low.x), std::abs(p.x - box.high.x)) <= exact &&
+           std::min(std::abs(p.y - box.low.y), std::abs(p.y - box.high.y)) <= exact;
+  };
+  return outline.key.size() == 4 && outline.area > 0 &&
+         std::all_of(outline.key.begin(), outline.key.end(), is_corner);
+}
+
+// The sheets among outlines that are sorted by area, outermost first.
+class Sheets {
+ public:
+  Sheets(const std::vector<OutlineInOrder>& sorted, const std::vector<std::size_t>& around,
+         const std::vector<ClosedOutline>& outlines)
+      : sorted_(sorted), around_(around) {
+    const auto is_sheet = [&](const ClosedOutline& outline) {
+      return outline.looks_like_sheet || has_parts(end_) || (outline.fills_page && has_solid());
+    };
+    while (end_ + 1 < sorted.size() && encloses_the_rest() &&
+           is_sheet(outlines[sorted[end_].number]))
+      ++end_;
+  }
+
+  bool contain(std::size_t i) const { return i < end_; }
+  std::size_t size() const { return end_; }
+
+ private:
+  // Boxes suffice for a rectangle. An outline may touch the sheet.
+  bool encloses_the_rest() const {
+    const OutlineInOrder& sheet = sorted_[end_];
+    return sheet.role != Role::hole && is_rectangle(sheet) &&
+           std::all_of(sorted_.begin() + static_cast<std::ptrdiff_t>(end_) + 1, sorted_.end(),
+                       [&](const OutlineInOrder& each) {
+                         return each.area < sheet.area && each.box.low.x >= sheet.box.low.x &&
+                                each.box.low.y >= sheet.box.low.y &&
+                                each.box.high.x <= sheet.box.high.x &&
+                                each.box.high.y <= sheet.box.high.y;
+                       });
+  }
+
+  // Whether what lies on it is more than holes: a filled shape, or a line with a line inside.
+  bool has_solid() const {
+    for (std::size_t i = end_ + 1; i < sorted_.size(); ++i)
+      if (sorted_[i].role == Role::shape ||
+          (sorted_[i].role == Role::line && around_[i] != none && around_[i] != end_))
+        return true;
+    return false;
+  }
+
+  // Whether several lines lie directly on it, one of them with a line of its own inside; or whether
+  // it is a border close around such a sheet.
+  bool has_parts(std::size_t sheet) const {
+    if (sorted_[sheet].role != Role::line) return false;
+    std::size_t parts = 0;
+    bool is_drilled = false;
+    for (std::size_t i = sheet + 1; i < sorted_.size(); ++i) {
+      if (sorted_[i].role != Role::line || around_[i] == none) continue;
+      parts += around_[i] == sheet;
+      is_drilled = is_drilled || (around_[i] != sheet && around_[around_[i]] == sheet);
+    }
+    if (parts != 1) return parts > 1 && is_drilled;
+    const std::size_t inner = sheet + 1;
+    return is_rectangle(sorted_[inner]) && sorted_[inner].area > 0.6 * sorted_[sheet].area &&
+           has_parts(inner);
+  }
+
+  const std::vector<OutlineInOrder>& sorted_;
+  const std::vector<std::size_t>& around_;
+  std::size_t end_ = 0;
+};
+
 }  // namespace
 
 std::vector<OutlineWithHoles> filled_shapes(const std::vector<const Points*>& rings, Fill fill) {
@@ -155,8 +228,9 @@ Nesting nest(const std::vector<ClosedOutline>& outlines) {
   }
   const std::vector<std::size_t> around = outlines_around(kept, Touching::no);
   std::vector<std::size_t> shape(kept.size(), none);  // that the outline bounds
+  const Sheets sheets(kept, around, outlines);
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (kept[i].role == Role::hole) continue;
+    if (kept[i].role == Role::hole || sheets.contain(i)) continue;
     const bool in_shape = around[i] != none && shape[around[i]] != none;
     if (kept[i].role == Role::line && in_shape) {
       nesting.shapes[shape[around[i]]].holes.push_back(kept[i].number);
@@ -166,6 +240,14 @@ Nesting nest(const std::vector<ClosedOutline>& outlines) {
     shape[i] = nesting.shapes.size();
     nesting.shapes.push_back({kept[i].number, {}});
   }
+  for (std::size_t i = sheets.size(); i-- > 0;) {
+    OutlineWithHoles sheet{kept[i].number, {}};
+    for (std::size_t j = i + 1; j < kept.size(); ++j)
+      if (!outlines[sheet.outline].looks_like_sheet && around[j] == i && kept[j].role == Role::line)
+        sheet.holes.push_back(kept[j].number);
+    nesting.shapes.push_back(std::move(sheet));
+  }
+  nesting.sheets = sheets.size();
   return nesting;
 }
 

@@ -30,18 +30,24 @@ struct ClosedOutline {
   const Points* points = nullptr;
   const std::vector<Points>* holes = nullptr;  // null if there are no holes
   bool filled = false;
+  bool looks_like_sheet = false;  // by its name or its paint
+  bool fills_page = false;        // as large as the page
 };
 
 struct Nesting {
-  std::vector<OutlineWithHoles> shapes;  // the largest first; equal areas by coordinates
-  std::size_t holes = 0;                 // the number of holes, except those of filled outlines
-  std::size_t repeated = 0;              // the number of exact repetitions that were dropped
+  std::vector<OutlineWithHoles>
+      shapes;                // the largest first; equal areas by coordinates; sheets last
+  std::size_t sheets = 0;    // the number of sheets. Their holes are also shapes
+  std::size_t holes = 0;     // the number of holes, except those of filled outlines
+  std::size_t repeated = 0;  // the number of exact repetitions that were dropped
 };
 
 // Decides which outlines are holes. A filled outline is always a shape. An outline without a fill
 // is a hole if it is directly inside a shape. Otherwise it is a shape, even inside a hole. Outlines
-// that cross or touch are separate shapes. The order of the outlines does not matter. The
-// complexity is that of filled_shapes().
+// that cross or touch are separate shapes. A rectangle that encloses all other outlines is a sheet if
+// it looks like one, or if it holds several outlines, one of them with a hole of its own; what lies on it is
+// nested as if it were not there. The order of the outlines does not matter. The complexity is that of
+// filled_shapes().
 Nesting nest(const std::vector<ClosedOutline>& outlines);
 
 }  // namespace evenlift

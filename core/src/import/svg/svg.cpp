@@ -127,7 +127,11 @@ std::optional<std::optional<double>> SvgReader::length(const pugi::xml_node& nod
     whole = height;
   else if (width && height)
     whole = std::sqrt((*width * *width + *height * *height) / 2);
-  return checked(node, attribute, svg_length(value_of(node, attribute), whole));
+  const std::string_view own = value_of(node, attribute);
+  auto declared = svg_length(geometry_of(context.declared, name, own), whole);
+  // A style that is not a length counts as none.
+  if (std::holds_alternative<SvgProblem>(declared)) declared = svg_length(own, whole);
+  return checked(node, attribute, std::move(declared));
 }
 
 // Without hairs, in the import's coordinates.
@@ -147,7 +151,8 @@ Fill SvgReader::fill_of(const Context& context) {
 
 void SvgReader::add(const Outline& outline, const Context& context, const std::string& called,
                     const char* kind) {
-  gathering_.add({{placed(outline, context)}, called, kind, fill_of(context)});
+  gathering_.add(
+      {{placed(outline, context)}, called, kind, fill_of(context), context.look.is_white_page()});
 }
 
 void SvgReader::add_open(const Outline& outline, const Context& context) {
@@ -159,10 +164,10 @@ void SvgReader::add_open(const Outline& outline, const Context& context) {
 
 void SvgReader::path(const pugi::xml_node& node, const Context& context,
                      const std::string& called) {
-  auto outlines = checked(node, "path", svg_path(value_of(node, "d")));
+  auto outlines = checked(node, "path", svg_path(geometry_of(context.declared, "d")));
   if (!outlines) return;
   hairs_ += drop_specks(*outlines);
-  DrawnShape drawn{{}, called, "path", fill_of(context)};
+  DrawnShape drawn{{}, called, "path", fill_of(context), context.look.is_white_page()};
   for (const auto& [outline, closed] : *outlines) {
     const double meet = same_point * larger_side(control_box(outline));
     if (!closed && !is_near(outline.start, outline.end(), meet))
@@ -245,8 +250,8 @@ void SvgReader::ellipse(const pugi::xml_node& node, const Context& context,
 
 // Whether a path with only a stroke repeats the preceding path, which has only a fill, as
 // LibreOffice writes shapes.
-bool SvgReader::is_stroke_of_filled(const pugi::xml_node& node, const Context& context) {
-  const std::string_view d = value_of(node, "d");
+bool SvgReader::is_stroke_of_filled(const Context& context) {
+  const std::string_view d = geometry_of(context.declared, "d");
   const bool strokes = context.look.is_stroked() && !context.look.is_filled();
   const bool same =
       strokes && is_same(filled_.matrix, context.matrix) && filled_.d == d && !d.empty();
@@ -256,7 +261,7 @@ bool SvgReader::is_stroke_of_filled(const pugi::xml_node& node, const Context& c
 }
 
 void SvgReader::shape(const pugi::xml_node& node, const Context& context, std::string_view name) {
-  if (is_stroke_of_filled(node, context)) return;
+  if (is_stroke_of_filled(context)) return;
   const std::string name_of_it = called(node, context);
   if (name == "path")
     path(node, context, name_of_it);
@@ -432,6 +437,8 @@ Result<Import> SvgReader::read() {
     takes_unpainted_ = true;
     if (std::optional<InputError> error = walk(root, paper)) return *std::move(error);
   }
+  if (paper.viewport.width && paper.viewport.height)
+    gathering_.paper = {paper.across * *paper.viewport.width, paper.down * *paper.viewport.height};
   gathering_.add_joined(pieces_, true);
   gathering_.import.format = "SVG";
   gathering_.import.unit = in_full(paper.unit);

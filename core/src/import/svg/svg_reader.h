@@ -31,6 +31,7 @@ class SvgReader {
     std::string_view name_of_copy;  // the name of the <use> that copies this element
     SvgViewport viewport;
     SvgLook look;
+    SvgDeclared declared = {};  // for the element itself, if it is drawn
     bool in_copy = false;
   };
   // The greatest number of bytes in all copies together. Without a limit, copies of copies could
@@ -87,7 +88,7 @@ class SvgReader {
 
   // svg_shapes.cpp defines these functions, for the drawn shapes.
   void shape(const pugi::xml_node& node, const Context& context, std::string_view name);
-  bool is_stroke_of_filled(const pugi::xml_node& node, const Context& context);
+  bool is_stroke_of_filled(const Context& context);
   void path(const pugi::xml_node& node, const Context& context, const std::string& called);
   void points(const pugi::xml_node& node, const Context& context, const std::string& called,
               bool closed);

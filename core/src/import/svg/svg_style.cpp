@@ -33,7 +33,17 @@ constexpr NamedProperty properties[] = {{"display", SvgProperty::display, true},
                                         {"transform-box", SvgProperty::transform_box, true},
                                         {"translate", SvgProperty::translate, false},
                                         {"rotate", SvgProperty::rotate, false},
-                                        {"scale", SvgProperty::scale, false}};
+                                        {"scale", SvgProperty::scale, false},
+                                        {"x", SvgProperty::x, true},
+                                        {"y", SvgProperty::y, true},
+                                        {"cx", SvgProperty::cx, true},
+                                        {"cy", SvgProperty::cy, true},
+                                        {"r", SvgProperty::r, true},
+                                        {"rx", SvgProperty::rx, true},
+                                        {"ry", SvgProperty::ry, true},
+                                        {"width", SvgProperty::width, true},
+                                        {"height", SvgProperty::height, true},
+                                        {"d", SvgProperty::d, true}};
 static_assert(std::size(properties) == svg_property_count);
 
 const NamedProperty* property_named(std::string_view name) {
@@ -151,6 +161,13 @@ bool is_paint(std::string_view value) {
   return !same_word(value, "none") && !same_word(value, "transparent");
 }
 
+bool is_white(std::string_view value) {
+  for (const char* white : {"white", "#fff", "#ffffff", "rgb(255,255,255)", "rgb(255, 255, 255)",
+                            "rgb(100%,100%,100%)", "rgb(100%, 100%, 100%)"})
+    if (same_word(value, white)) return true;
+  return false;
+}
+
 bool is_visible(std::string_view value) {
   return !same_word(value, "hidden") && !same_word(value, "collapse");
 }
@@ -160,6 +177,19 @@ bool is_nonzero_rule(std::string_view value) { return !same_word(value, "evenodd
 bool is_more_than_zero(std::string_view value) { return !is_zero(value); }
 
 }  // namespace
+
+std::string_view geometry_of(const SvgDeclared& declared, std::string_view attribute,
+                             std::string_view otherwise) {
+  const NamedProperty* const property = property_named(attribute);
+  std::string_view value = property ? without_space(declared[property->property]) : otherwise;
+  if (value.empty()) return otherwise;
+  if (same_word(value, "auto")) return {};
+  constexpr std::string_view path = "path(";
+  if (attribute != "d" || !value.starts_with(path) || !value.ends_with(')')) return value;
+  value = without_space(value.substr(path.size(), value.size() - path.size() - 1));
+  const bool quoted = value.size() > 1 && (value[0] == '"' || value[0] == '\'');
+  return quoted ? value.substr(1, value.size() - 2) : value;
+}
 
 bool hides_all(const SvgDeclared& declared) {
   return same_word(declared[SvgProperty::display], "none") ||
@@ -175,6 +205,7 @@ SvgLook inherited(SvgLook look, const SvgDeclared& declared) {
   };
   constexpr Row rows[] = {{SvgProperty::visibility, &SvgLook::visible, is_visible},
                           {SvgProperty::fill, &SvgLook::fill, is_paint},
+                          {SvgProperty::fill, &SvgLook::white, is_white},
                           {SvgProperty::fill_opacity, &SvgLook::fill_opaque, is_more_than_zero},
                           {SvgProperty::stroke, &SvgLook::stroke, is_paint},
                           {SvgProperty::stroke_opacity, &SvgLook::stroke_opaque, is_more_than_zero},

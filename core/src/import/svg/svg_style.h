@@ -36,6 +36,16 @@ enum class SvgProperty : std::uint8_t {
   translate,
   rotate,
   scale,
+  x,
+  y,
+  cx,
+  cy,
+  r,
+  rx,
+  ry,
+  width,
+  height,
+  d,
   count
 };
 inline constexpr auto svg_property_count = static_cast<std::size_t>(SvgProperty::count);
@@ -48,13 +58,20 @@ struct SvgDeclared {
   }
 };
 
+// The value declared for this attribute of a shape, such as its width, which may also be a style; of
+// `d`, the path without path(""). `otherwise` if there is none.
+std::string_view geometry_of(const SvgDeclared& declared, std::string_view attribute,
+                             std::string_view otherwise = {});
+
 // The look of an element, which the elements in it inherit.
 struct SvgLook {
   bool visible = true;
   bool fill = true, fill_opaque = true;
+  bool white = false;   // the fill is white
   bool nonzero = true;  // the fill-rule is nonzero, not evenodd
   bool stroke = false, stroke_opaque = true, stroke_wide = true;
   bool is_filled() const { return fill && fill_opaque; }
+  bool is_white_page() const { return is_filled() && white && !is_stroked(); }
   bool is_stroked() const { return stroke && stroke_opaque && stroke_wide; }
 };
 

@@ -243,6 +243,7 @@ bool SvgReader::transform(const pugi::xml_node& node, const SvgDeclared& declare
 // Returns false if the element is left out.
 bool SvgReader::enter(const pugi::xml_node& node, std::string_view name, Context& inside) {
   const SvgDeclared declared = styles_.of(node);
+  inside.declared = is_one_of(name, drawn) ? declared : SvgDeclared{};
   if (hides_all(declared)) {
     hide(node, inside);
     return false;

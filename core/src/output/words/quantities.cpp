@@ -38,9 +38,6 @@ Known failures(const Reported& of) {
   return of.report.robustness.*member;
 }
 
-// A length that may have no limit.
-Known limit(double length) { return length; }
-
 template <Promise promise>
 Known promised(const Reported& of) {
   return of.report.accuracy[promise];
@@ -183,7 +180,7 @@ const Quantity rows[] = {
      .condition = "use", .subject = "The greatest load as a part of the robot's capacity", .json = "capacity.use",
      .label = "Greatest use", .column = "use",
      .about = "Of all robots, the greatest load as a part of the capacity; as planned, under the given conditions",
-     .in_words = use_words},
+     .in_words = use_words, .needs_capacities = true},
     {.value = greatest_after_failure, .unit = Unit::weight,
      .condition = "max_after_failure", .subject = "The greatest load after any one failure", .needs_failures = true},
 
@@ -196,8 +193,8 @@ const Quantity rows[] = {
      .condition = "margin", .subject = "The margin of form closure", .json = "closure.margin",
      .label = "Margin", .about = "Strength of form closure; compare only placements of the same object",
      .in_words = [](const Reported& of) { return has_robots(of) ? hold_words(of) : std::string(); }},
-    {.value = [](const Reported& of) { return limit(of.placement.closure.clearance.distance); }, .unit = Unit::length, .json = "closure.clearance"},
-    {.value = [](const Reported& of) { return limit(of.placement.closure.clearance.tolerance); }, .unit = Unit::length, .json = "closure.tolerance"},
+    {.value = [](const Reported& of) { return Known(of.placement.closure.clearance.distance); }, .unit = Unit::length, .json = "closure.clearance"},
+    {.value = [](const Reported& of) { return Known(of.placement.closure.clearance.tolerance); }, .unit = Unit::length, .json = "closure.tolerance"},
     {.value = [](const Reported& of) -> Known { return of.placement.closure.second_order; }, .unit = Unit::yes_or_no, .json = "closure.second_order"},
 
     {.label = may_be_off, .about = "All at once, each along its edge, except robots in inward corners: what is told remains true. "
