@@ -274,8 +274,8 @@ std::string cell_in_words(const Quantity& quantity, double value, double largest
       return value == 1 ? "yes" : "no";
     case Unit::count:
       return plain(value);
-    case Unit::share:
-      return percentage(value);
+    case Unit::share:  // a use may be more than all
+      return value > 1 ? significant(100 * value, 3, Toward::up) + "\u00A0%" : percentage(value);
     case Unit::degrees:
       return degrees_in_words(value);
     case Unit::number:
