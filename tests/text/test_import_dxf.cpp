@@ -541,3 +541,20 @@ TEST_CASE("names of layers are read in the drawing's code page", "[import][dxf]"
                                "e");
   CHECK(unknown.notes.back() == "names are in the code page dos437, which is not known here");
 }
+
+TEST_CASE("DXF: a polyline in space that is not level is read from above, with a notice",
+          "[import][dxf]") {
+  const auto polyline = [](double height) {
+    std::string text = "0\nSECTION\n2\nENTITIES\n0\nPOLYLINE\n8\nA\n66\n1\n70\n9\n";
+    const double corners[4][3] = {{0, 0, 0}, {120, 0, height}, {120, 80, height}, {0, 80, 0}};
+    for (const auto& [x, y, z] : corners)
+      text += "0\nVERTEX\n8\nA\n10\n" + shortest(x) + "\n20\n" + shortest(y) + "\n30\n" +
+              shortest(z) + "\n70\n32\n";
+    return evenlift::testing::read(text + "0\nSEQEND\n0\nENDSEC\n0\nEOF\n");
+  };
+  CHECK(polyline(0).notes.empty());
+  const Import slanted = polyline(30);
+  CHECK(slanted.shapes.size() == 1);
+  REQUIRE(slanted.notes.size() == 1);
+  CHECK(slanted.notes[0] == "1 polyline in space is not level, and was read as seen from above");
+}

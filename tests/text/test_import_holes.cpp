@@ -522,3 +522,19 @@ TEST_CASE("outlines nested at any depth are each a shape or a hole of one", "[im
                               [](const ImportedShape& shape) { return !shape.sheet; }));
   }
 }
+
+TEST_CASE("a spike of no width is left out of a drawing", "[import]") {
+  const auto vertices = [](const std::string& d) {
+    return counts(svg("<path fill='none' stroke='red' d='" + d + "'/>"));
+  };
+  const Words four{"4"}, five{"5"};
+  CHECK(vertices("M0 0H120V40H150H120V80H0Z") == five);  // its foot stays, on an edge
+  CHECK(vertices("M0 0H120V80H0V-30Z") == four);         // at the first vertex
+  CHECK(vertices("M0 0H150H120V80H0Z") == four);         // on from an edge
+  CHECK(vertices("M0 0H120V40L150 50L180 60L120 40V80H0Z") == five);
+  CHECK(vertices("M0 0H120V40L150 50L180 60L150 50L120 40V80H0Z") == five);
+  // A narrow tooth is none.
+  CHECK(vertices("M0 0H120V40H150V40.01H120V80H0Z") == Words{"8"});
+  CHECK(read(svg("<path fill='none' stroke='red' d='M0 0H150H120V80H0Z'/>")).notes.at(0) ==
+        "1 spike without a width was left out");
+}

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "evenlift/import.h"
+#include "evenlift/numbers.h"
 #include "evenlift/polygon.h"
 #include "kit/catch.h"
 #include "kit/imported.h"
@@ -422,4 +423,46 @@ TEST_CASE("WKT is read as Python prints it", "[import][wkt]") {
   const Import list = read(
       "[<POLYGON ((0 0, 120 0, 120 80, 0 80, 0 0))>, <POLYGON ((200 0, 220 0, 220 80, 200 0))>]");
   CHECK(list.shapes.size() == 2);
+}
+
+TEST_CASE("blank rows separate shapes only if each could be one", "[import][columns]") {
+  const auto sizes = [](const std::string& text) {
+    std::vector<std::size_t> all;
+    for (const ImportedShape& shape : evenlift::testing::read(text).shapes)
+      all.push_back(shape.document.vertices.size());
+    return all;
+  };
+  using Sizes = std::vector<std::size_t>;
+  CHECK(sizes("x;y\n0;0\n120;0\n;\n120;80\n0;80\n") == Sizes{4});
+  CHECK(sizes("0 0\n120 0\n\n120 80\n0 80\n") == Sizes{4});
+  CHECK(sizes("x;y\n0;0\n9;0\n9;9\n;\n0;0\n5;0\n5;5\n") == Sizes{3, 3});
+}
+
+TEST_CASE("GeoJSON features may follow each other", "[import][geojson]") {
+  const auto feature = [](const std::string& name, double side) {
+    const std::string s = shortest(side);
+    return "{\"type\":\"Feature\",\"properties\":{\"name\":\"" + name +
+           "\"},\"geometry\":{\"type\":\"Polygon\",\"coordinates\":[[[0,0],[" + s + ",0],[" + s +
+           "," + s + "],[0,0]]]}}";
+  };
+  for (const std::string& text : {"\x1e" + feature("a", 9) + "\n\x1e" + feature("b", 5) + "\n",
+                                  feature("a", 9) + "\n" + feature("b", 5) + "\n"}) {
+    const Import import = evenlift::testing::read(text);
+    REQUIRE(import.shapes.size() == 2);
+    CHECK(import.shapes[0].name == "a");
+    CHECK(import.shapes[1].name == "b");
+  }
+  CHECK(evenlift::testing::read(feature("a", 9)).shapes.size() == 1);
+}
+
+TEST_CASE("tables of supports name their columns as outlines do", "[import][supports]") {
+  for (const char* heading :
+       {"Easting,Northing", "Position X,Position Y", "X-Coordinate,Y-Coordinate"}) {
+    INFO(heading);
+    const auto read = read_support_file(std::string(heading) + ",capacity\n0,0,3\n120,40,4\n");
+    REQUIRE(read.ok());
+    REQUIRE(read->places.size() == 2);
+    CHECK(read->places[1] == Vec2(120, 40));
+    CHECK(read->capacities.at(1) == 4.0);
+  }
 }

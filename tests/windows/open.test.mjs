@@ -217,6 +217,23 @@ const openLines = (where) =>
   where.locator("#shapes .drawing .open").evaluateAll((paths) => paths.map((each) => each.getAttribute("d")));
 const focused = (where) => where.evaluate(() => document.activeElement.dataset.index);
 
+test("the sheet of a drawing is offered last, and its parts first", async () => {
+  const frame = 'fill="none" stroke="black"';
+  const drawing = svg(
+    `<rect width="50" height="50" fill="white"/><rect x="3" y="3" width="9" height="9" ${frame}/>` +
+      `<rect x="15" y="5" width="30" height="20" ${frame}/><circle cx="25" cy="15" r="4" ${frame}/>`,
+  );
+  await drop(page, { files: [["sheet.svg", drawing]] });
+  await shapes(page).first().waitFor();
+  await idle(page);
+  assert.deepEqual(await shapes(page).allTextContents(), [
+    "rectangle 4 vertices, 1 hole, 30 × 20",
+    "rectangle 4 vertices, 9 × 9",
+    "sheet, rectangle 4 vertices, 50 × 50",
+  ]);
+  assert.equal(await focused(page), "0", "not the sheet, though it is larger");
+});
+
 test("of several shapes one is chosen, by the keys or a click", async () => {
   await load(page, asset("cross"));
   await drop(page, { files: [["layers.svg", await data("layers.svg")]] });

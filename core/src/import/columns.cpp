@@ -86,6 +86,7 @@ class ColumnReader {
   InputError not_a_number(std::string_view field) const;
   void end_block();
   void join_surfaces();
+  void join_remnants();
   Problem check_count() const;
   void add_notes();
 
@@ -477,6 +478,23 @@ void ColumnReader::join_surfaces() {
   gathering_.note("the upper and the lower surface were joined at the leading edge");
 }
 
+// Blank lines separate shapes only if each could be one.
+void ColumnReader::join_remnants() {
+  const bool is_one =
+      blocks_.size() > 1 && shapes_.empty() &&
+      std::all_of(blocks_.begin(), blocks_.end(), [](const Block& b) { return b.name.empty(); }) &&
+      std::any_of(blocks_.begin(), blocks_.end(),
+                  [](const Block& b) { return b.points.size() < 3; });
+  if (!is_one) return;
+  Block whole;
+  for (const Block& block : blocks_)
+    whole.points.insert(whole.points.end(), block.points.begin(), block.points.end());
+  blocks_.clear();
+  blocks_.push_back(std::move(whole));
+  gathering_.note(
+      "blank lines were passed over, since fewer than three points are between some of them");
+}
+
 std::optional<InputError> ColumnReader::check_count() const {
   if (!count_line_ || read_whole(trimmed(count_line_->text)) == rows_) return std::nullopt;
   return error(count_line_->text, ErrorCode::bad_syntax,
@@ -505,6 +523,7 @@ Result<Import> ColumnReader::read() {
   }
   if (auto wrong = check_count()) return *std::move(wrong);
   join_surfaces();
+  join_remnants();
   for (Block& block : blocks_) {
     Document document;
     document.vertices = std::move(block.points);

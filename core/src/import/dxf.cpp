@@ -114,6 +114,7 @@ class DxfReader {
   std::size_t piece_count_ = 0, inserted_bytes_ = 0;
   std::size_t made_periodic_ = 0;    // splines
   std::size_t splines_ = 0;          // left out
+  std::size_t not_level_ = 0;        // polylines
   std::optional<InputError> error_;  // ends the reading
 };
 
@@ -150,6 +151,11 @@ void DxfReader::take_drawn(DxfEntity& entity, std::string_view layer, const Fram
   Outline outline = frame.block ? transformed(drawn.outline, frame.map) : std::move(drawn.outline);
   // Layer 0 is the default: its name carries no meaning.
   const std::string name = layer == "0" ? std::string() : with_letters(layer);
+  const auto [low, high] = std::minmax_element(
+      entity.vertices.begin(), entity.vertices.end(),
+      [](const DxfVertex& a, const DxfVertex& b) { return a.height < b.height; });
+  if (low != high && high->height - low->height > same_point * larger_side(control_box(outline)))
+    ++not_level_;
   if (drawn.closed_kind) return gathering_.add({{outline}, name, drawn.closed_kind});
   if (!within_bounds(outline))
     return gathering_.add_problem(
@@ -272,6 +278,12 @@ Result<Import> DxfReader::read() {
                 : "{count} splines are marked as periodic but have the knots of an open "
                   "curve, and were read as periodic",
             {made_periodic_}));
+  if (not_level_ > 0)
+    gathering_.note(
+        say(not_level_ == 1
+                ? "{count} polyline in space is not level, and was read as seen from above"
+                : "{count} polylines in space are not level, and were read as seen from above",
+            {not_level_}));
   const DxfUnit& unit = drawing_.unit;
   gathering_.import.unit = unit.label == LengthUnit::none ? unit.other : in_full(unit.label);
   for (ImportedShape& shape : gathering_.import.shapes)

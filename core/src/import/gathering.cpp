@@ -99,6 +99,46 @@ bool all_finite(const Outline& outline) {
          std::all_of(outline.pieces.begin(), outline.pieces.end(), finite);
 }
 
+// Whether the outline runs from b back along the way from a, to c.
+bool turns_back(const Vec2& a, const Vec2& b, const Vec2& c, double near) {
+  const Vec2 way = b - a;
+  const double size = length(way);
+  if (!(size > near)) return false;
+  const double on = dot(c - b, way) / size;
+  // Rounding alone may part the ways; a narrow tooth is not a spike.
+  return on < -near && std::abs(cross(way, c - b) / size) <= 1e-9 * near;
+}
+
+// Drops spikes of no width: ways out and back. Returns their number. O(n).
+std::size_t drop_spikes(Points& ring, double near) {
+  std::size_t dropped = 0;
+  const auto is_same = [&](const Vec2& a, const Vec2& b) { return length(a - b) <= 1e-9 * near; };
+  Points kept;
+  for (const Vec2& next : ring) {
+    kept.push_back(next);
+    while (kept.size() >= 3 &&
+           turns_back(kept[kept.size() - 3], kept[kept.size() - 2], kept.back(), near)) {
+      kept.erase(kept.end() - 2);
+      ++dropped;
+      if (kept.size() >= 2 && is_same(kept[kept.size() - 2], kept.back())) kept.pop_back();
+    }
+  }
+  // Around the first vertex.
+  for (bool again = kept.size() >= 3; again;) {
+    again = false;
+    const std::size_t n = kept.size();
+    for (const std::size_t i : {std::size_t{0}, n - 1})
+      if (!again && n >= 3 && turns_back(kept[(i + n - 1) % n], kept[i], kept[(i + 1) % n], near)) {
+        kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(i));
+        ++dropped;
+        if (kept.size() >= 2 && is_same(kept.front(), kept.back())) kept.pop_back();
+        again = kept.size() >= 3;
+      }
+  }
+  if (dropped > 0) ring = std::move(kept);
+  return dropped;
+}
+
 }  // namespace
 
 double larger_side(const Box& box) { return std::max(box.size().x, box.size().y); }
@@ -224,6 +264,7 @@ std::optional<ImportedShape> Gathering::flattened(const Outline& outline) {
   while (points->size() > 1 &&
          larger_side(bounding_box({points->front(), points->back()})) <= same_point * side)
     points->pop_back();
+  spikes_ += drop_spikes(*points, same_point * side);
   if (points->size() < 3) {
     ++without_area_;
     return std::nullopt;
@@ -503,6 +544,10 @@ Result<Import> Gathering::finish(InputError nothing) {
   if (!left_out.empty())
     note(say(left_out.total() == 1 ? "{things} was left out" : "{things} were left out",
              {left_out.list()}));
+  if (spikes_ > 0)
+    note(say(spikes_ == 1 ? "{count} spike without a width was left out"
+                          : "{count} spikes without a width were left out",
+             {spikes_}));
   if (without_area_ > 0)
     note(say(without_area_ == 1 ? "{count} line without an area was left out"
                                 : "{count} lines without an area were left out",

@@ -82,6 +82,38 @@ Result<Import> read_format(std::string_view text, const ImportOptions& options) 
   return read_columns(text, options);
 }
 
+constexpr char record_separator = '\x1e';
+
+// Features one after another (GeoJSON text sequences, RFC 8142, or one in each line) as a collection,
+// in the same lines; nothing for other texts.
+std::optional<std::string> collected(std::string_view text) {
+  TextCursor cursor(text);
+  cursor.skip_white_space();
+  const bool separated = cursor.sees(record_separator);
+  if (!separated && !cursor.sees('{')) return std::nullopt;
+  std::string collection = "{\"type\":\"FeatureCollection\",\"features\":[";
+  std::size_t records = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end =
+        std::min(text.find(separated ? record_separator : '\n', at), text.size());
+    const std::string_view record = text.substr(at, end - at);
+    std::string_view plain = record;
+    plain.remove_prefix(std::min(plain.find_first_not_of(" \t\r\n"), plain.size()));
+    plain = plain.substr(0, plain.find_last_not_of(" \t\r\n") + 1);
+    if (!plain.empty()) {
+      const bool is_feature = plain.front() == '{' && plain.back() == '}' &&
+                              plain.find("\"Feature\"") != std::string_view::npos;
+      if (!is_feature) return std::nullopt;
+      if (records++ > 0) collection += ',';
+    }
+    collection += record;
+    if (!separated && end < text.size()) collection += '\n';
+    at = end + 1;
+  }
+  if (records == 0 || (records == 1 && !separated)) return std::nullopt;
+  return collection + "]}";
+}
+
 // "8.5417° E".
 std::string degrees_in_words(double degrees, const char* positive, const char* negative) {
   return say(degrees < 0 ? negative : positive, {shortest(std::abs(degrees))});
@@ -146,6 +178,8 @@ Result<Import> read_shapes(std::string_view text, const ImportOptions& options) 
     text.remove_prefix(byte_order_mark.size());
   if (const char* refusal = refusal_of_other_kind(text))
     return InputError{ErrorCode::unsupported, refusal, {}};
+  const std::optional<std::string> collection = collected(text);
+  if (collection) text = *collection;
   if (std::any_of(text.begin(), text.end(), is_no_text))
     return InputError{
         ErrorCode::unsupported, say("this is not text: {formats}", {known_formats}), {}};

@@ -434,6 +434,11 @@ Columns columns_of(const Fields& heading) {
     if (names_capacity(heading[i])) columns.capacity = i;
     if (same_word(heading[i], "unit")) columns.unit = i;
   }
+  // "Easting" and "Northing", "Position X" and the like, as for outlines.
+  if (const auto named = named_columns(heading); named && !(columns.x && columns.y)) {
+    columns.x = named->x;
+    columns.y = named->y;
+  }
   return columns;
 }
 

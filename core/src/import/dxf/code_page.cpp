@@ -1,10 +1,6 @@
 #include "import/dxf/code_page.h"
 
-#ifdef __EMSCRIPTEN__
-#include <emscripten.h>
-#else
 #include <iconv.h>
-#endif
 #include <cstdint>
 #include <utility>
 
@@ -34,38 +30,28 @@ std::string_view code_page_of(std::string_view text) {
 }
 
 struct CodePage {
-  std::string_view ending;  // of its name
-  int number;
+  std::string_view ending;     // of its name
+  const char *name, *synonym;  // in the libraries for natives and for WebAssembly
 };
-constexpr CodePage known_pages[] = {
-    {"_874", 874},   {"_932", 932},   {"_936", 936},   {"_949", 949},   {"_950", 950},
-    {"_1250", 1250}, {"_1251", 1251}, {"_1252", 1252}, {"_1253", 1253}, {"_1254", 1254},
-    {"_1255", 1255}, {"_1256", 1256}, {"_1257", 1257}, {"_1258", 1258}};
+constexpr CodePage known_pages[] = {{"_874", "CP874", "TIS-620"},
+                                    {"_932", "CP932", "SHIFT_JIS"},
+                                    {"_936", "CP936", "GBK"},
+                                    {"_949", "CP949", "EUC-KR"},
+                                    {"_950", "CP950", "BIG5"},
+                                    {"_1250", "CP1250", "WINDOWS-1250"},
+                                    {"_1251", "CP1251", "WINDOWS-1251"},
+                                    {"_1252", "CP1252", "WINDOWS-1252"},
+                                    {"_1253", "CP1253", "WINDOWS-1253"},
+                                    {"_1254", "CP1254", "WINDOWS-1254"},
+                                    {"_1255", "CP1255", "WINDOWS-1255"},
+                                    {"_1256", "CP1256", "WINDOWS-1256"},
+                                    {"_1257", "CP1257", "WINDOWS-1257"},
+                                    {"_1258", "CP1258", "WINDOWS-1258"}};
 
-#ifdef __EMSCRIPTEN__
-// Browsers and Node know the letters; returns the number of bytes, or 0 if this one does not.
-EM_JS(std::size_t, evenlift_decode,
-      (int page, const char* from, std::size_t size, char* to, std::size_t room), {
-        const names = {932 : "shift_jis", 936 : "gbk", 949 : "euc-kr", 950 : "big5"};
-        try {
-          const text = new TextDecoder(names[page] || "windows-" + page)
-                           .decode(HEAPU8.subarray(from, from + size));
-          return new TextEncoder().encodeInto(text, HEAPU8.subarray(to, to + room)).written;
-        } catch (error) {
-          return 0;
-        }
-      })
-
-std::optional<std::string> decoded(int page, std::string_view text) {
-  std::string letters(3 * text.size(), 0);  // a byte has at most one letter
-  letters.resize(evenlift_decode(page, text.data(), text.size(), letters.data(), letters.size()));
-  if (letters.empty()) return std::nullopt;
-  return letters;
-}
-#else
-std::optional<std::string> decoded(int page, std::string_view text) {
-  const iconv_t unknown = reinterpret_cast<iconv_t>(-1),
-                converter = iconv_open("UTF-8", ("CP" + std::to_string(page)).c_str());
+std::optional<std::string> decoded(const CodePage& page, std::string_view text) {
+  const iconv_t unknown = reinterpret_cast<iconv_t>(-1);
+  iconv_t converter = iconv_open("UTF-8", page.name);
+  if (converter == unknown) converter = iconv_open("UTF-8", page.synonym);
   if (converter == unknown) return std::nullopt;
   std::string letters, bytes(text);
   char* from = bytes.data();
@@ -85,7 +71,6 @@ std::optional<std::string> decoded(int page, std::string_view text) {
   iconv_close(converter);
   return letters;
 }
-#endif
 
 void append_utf8(std::string& text, std::uint32_t letter) {
   const auto add = [&](std::uint32_t byte) { text += static_cast<char>(byte); };
@@ -120,9 +105,9 @@ std::optional<std::uint32_t> letter_of(std::string_view digits) {
 DxfLetters in_utf8(std::string_view text) {
   const std::string_view page = code_page_of(text);
   if (page.empty() || is_utf8(text)) return {};
-  for (const auto& [ending, number] : known_pages)
-    if (page.ends_with(ending))
-      if (auto letters = decoded(number, text)) return {std::move(letters), {}};
+  for (const CodePage& known : known_pages)
+    if (page.ends_with(known.ending))
+      if (auto letters = decoded(known, text)) return {std::move(letters), {}};
   return {std::nullopt, std::string(page)};
 }
 

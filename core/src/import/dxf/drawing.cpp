@@ -116,8 +116,8 @@ void DxfEntities::read_vertices() {
   while (pending_ && pending_->value == "VERTEX" && has_room(entity_.vertices.size())) {
     vertex_.begin(pending_->value);
     read_groups(vertex_);
-    entity_.vertices.push_back(
-        {vertex_.point_of(10), vertex_.number_of(42, 0), vertex_.flags_of()});
+    entity_.vertices.push_back({vertex_.point_of(10), vertex_.number_of(42, 0),
+                                vertex_.number_of(30, 0), vertex_.flags_of()});
     if (vertex_.bad_number()) entity_.add_bad_number(*vertex_.bad_number());
   }
 }

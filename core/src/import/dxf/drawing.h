@@ -50,6 +50,7 @@ inline constexpr std::size_t max_dxf_groups = std::size_t{1} << 22;  // limit fo
 struct DxfVertex {
   Vec2 point;
   double bulge = 0;  // the bulge of the edge that follows
+  double height = 0;
   int flags = 0;
 };
 
