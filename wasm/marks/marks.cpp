@@ -180,14 +180,16 @@ void draw_reason(const Painter& painter, const CanvasView& view) {
 constexpr float gap_in_caption = 10;
 
 // The loads and, if `further` is 1 or 2, the coverage; if 2, also whether the object is held.
-std::string result_in_words(const Placement& placement, const Units& units, std::size_t further) {
+std::string result_in_words(const Reported& of, std::size_t further) {
+  const Placement& placement = of.placement;
+  const Units& units = of.shown.units;
   if (!placement.loads) return "no team";
   const LoadSummary& loads = *placement.loads;
   const std::string words = load_in_words(loads.min, loads.max, loads.max, units);
   if (further == 0) return words;
-  return say(further == 1         ? "{loads} · coverage {coverage}"
-             : is_held(placement) ? "{loads} · coverage {coverage} · held"
-                                  : "{loads} · coverage {coverage} · not held",
+  return say(further == 1     ? "{loads} · coverage {coverage}"
+             : of.report.held ? "{loads} · coverage {coverage} · held"
+                              : "{loads} · coverage {coverage} · not held",
              {words, percentage(placement.coverage)});
 }
 
@@ -198,18 +200,19 @@ std::string name_in_caption(const Placement& placement) {
 
 // A fact in only one of the captions could not be compared, so both must have room for it.
 std::size_t further_in_captions(const CanvasView& view, float room) {
-  const Units& units = shown(view.state).units;
-  const auto fits = [&](const Placement& placement, std::size_t further) {
+  const auto fits = [&](const Reported& of, std::size_t further) {
     const float taken =
         view.layout.wide
             ? 0
-            : text_size(Face::strong_label, name_in_caption(placement)).x + gap_in_caption;
-    return taken + text_size(Face::label, result_in_words(placement, units, further)).x <= room;
+            : text_size(Face::strong_label, name_in_caption(of.placement)).x + gap_in_caption;
+    return taken + text_size(Face::label, result_in_words(of, further)).x <= room;
   };
+  const Derived& facts = view.state.derived();
   std::size_t further = 2;
-  for (const std::optional<Placement>* each :
-       {&view.state.derived().placement, &view.state.derived().second})
-    while (*each && further > 0 && !fits(**each, further)) --further;
+  for (const bool second : {false, true})
+    while (further > 0 && (second ? facts.second : facts.placement) &&
+           !fits(reported(view.state, second), further))
+      --further;
   return further;
 }
 
@@ -224,7 +227,7 @@ void draw_caption(const Painter& painter, const CanvasView& view) {
   const ImVec2 title = text_size(face, name);
   const float beside = title.x + gap_in_caption;  // where the result begins in a single line
   const std::string result =
-      result_in_words(*view.placement, shown(view.state).units, further_in_captions(view, room));
+      result_in_words(reported(view.state, view.second), further_in_captions(view, room));
   const ImVec2 text = text_size(Face::label, result);
   const float width = (wide ? std::max(title.x, text.x) : beside + text.x) + 24;
   const double height = wide ? 46 : 28;

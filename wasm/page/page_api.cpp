@@ -223,20 +223,20 @@ EMSCRIPTEN_KEEPALIVE void page_show_answer() {
 EMSCRIPTEN_KEEPALIVE const char* page_scores() {
   const AppState& state = app().state;
   std::vector<std::string> scores;
-  for (const std::optional<evenlift::Placement>* placement :
-       {&state.derived().placement, &state.derived().second}) {
-    const bool answer = placement == &state.derived().second;
-    if (!*placement || (answer && (*placement)->settings.method != Method::balanced)) continue;
-    const evenlift::Placement& of = **placement;
-    const ScoreInWords score = score_of(of, shown(state).units);
-    const auto& loads = of.loads;
-    scores.push_back(
-        json::object({{"robots", json::text(score.robots)},
-                      {"most", json::text(score.most)},
-                      {"spread", json::text(score.spread)},
-                      {"covered", json::text(score.covered)},
-                      {"numbers", json::numbers({loads ? loads->max : 0, loads ? loads->spread : 0,
-                                                 of.coverage, is_held(of) ? 1.0 : 0.0})}}));
+  for (const bool answer : {false, true}) {
+    const auto& placement = answer ? state.derived().second : state.derived().placement;
+    if (!placement || (answer && placement->settings.method != Method::balanced)) continue;
+    const evenlift::Reported of({*placement, shown(state)},
+                                answer ? state.derived().second_report : state.derived().report);
+    const ScoreInWords score = score_of(of);
+    const auto& loads = placement->loads;
+    scores.push_back(json::object(
+        {{"robots", json::text(score.robots)},
+         {"most", json::text(score.most)},
+         {"spread", json::text(score.spread)},
+         {"covered", json::text(score.covered)},
+         {"numbers", json::numbers({loads ? loads->max : 0, loads ? loads->spread : 0,
+                                    placement->coverage, of.report.held ? 1.0 : 0.0})}}));
   }
   return hand_over(json::array(scores));
 }

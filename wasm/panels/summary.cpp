@@ -166,17 +166,19 @@ std::string news_of_drawing(const AppState& state) {
 
 }  // namespace
 
-ScoreInWords score_of(const Placement& placement, const Units& units) {
+ScoreInWords score_of(const Reported& reported) {
+  const Placement& placement = reported.placement;
+  const Units& units = reported.shown.units;
   const auto load = [&](double value) { return load_in_words(value, placement.loads->max, units); };
   return {std::to_string(count_robots(placement.teams)),
           placement.loads ? load(placement.loads->max) : std::string(),
           placement.loads ? load(placement.loads->spread) : std::string(),
-          percentage(placement.coverage), is_held(placement) ? "held" : "not held"};
+          percentage(placement.coverage), reported.report.held ? "held" : "not held"};
 }
 
 std::string score(const AppState& state) {
   const Placement& placement = *state.derived().placement;
-  const ScoreInWords of = score_of(placement, shown(state).units);
+  const ScoreInWords of = score_of(whole(state));
   const std::string robots = count_of(count_robots(placement.teams), "robot", "robots");
   if (of.most.empty())
     return say("{robots} · it falls · {coverage} covered · {held}", {robots, of.covered, of.held});

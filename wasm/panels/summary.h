@@ -34,7 +34,7 @@ std::string failure_words(const AppState& state, std::size_t robot);
 struct ScoreInWords {
   std::string robots, most, spread, covered, held;
 };
-ScoreInWords score_of(const Placement& placement, const Units& units);
+ScoreInWords score_of(const Reported& reported);
 
 // Whether some robot carries more than its capacity if none fails, or whether the robot with this
 // number, from 0, does so according to the shown loads.

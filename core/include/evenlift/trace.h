@@ -31,6 +31,7 @@
 #include "evenlift/failures.h"
 #include "evenlift/placement.h"
 #include "evenlift/polygon.h"
+#include "evenlift/report.h"
 #include "evenlift/selection.h"
 #include "evenlift/stands.h"
 #include "evenlift/swaps.h"
@@ -181,6 +182,11 @@ struct Trace {
   // its number from swap to swap. The numbers of the search's last set ascend along the outline.
   std::vector<std::vector<std::uint32_t>> robot_numbers;
   std::optional<Placement> in_pairs;  // the same number of robots in teams by area, if possible
+  Report report_of_pairs;             // of these
+
+  // Of the placement, without any conditions: with loads by all models for given supports, and with
+  // failures if steps show them.
+  Report report;
 
   // The placement that make_trace() received, if robots in it were moved by hand. Then `placement`
   // is the method's own result, which the steps show; only the last step describes both.
@@ -422,9 +428,6 @@ struct BalancedDetail {
   // The keys and the margin of the set.
   BalancedKeys keys;
   std::optional<double> margin;
-  // In the chapter `failures`, for each robot: the rest of the robots if this robot fails; empty if
-  // the object then falls.
-  std::vector<std::optional<RestOfRobots>> rest_of;
   // In the step `failure`: the robot that fails, and the loads of the others if all are equally
   // stiff. `robots` then holds only the others.
   std::optional<std::uint32_t> failed;

@@ -149,7 +149,6 @@ void look_at_failure(const Trace& trace, StepDetail& detail, BalancedDetail& bal
 }
 
 void look_at_failures(const Trace& trace, StepDetail& detail, BalancedDetail& balanced) {
-  balanced.rest_of = single_failures(trace.placement);
   if (detail.step.kind == StepKind::failure) look_at_failure(trace, detail, balanced);
   if (detail.step.kind != StepKind::pairs) return;
   detail.base_before = lifting_base(trace.polygon(), balanced.robots);
@@ -205,6 +204,7 @@ std::optional<InputError> trace_search(Trace& trace, HistoryLength length) {
     const std::vector<LiftingPoint> robots = last_set(trace)->robots;
     placement = with_robots(std::move(placement), robots, length == HistoryLength::whole);
     if (length == HistoryLength::whole) trace.in_pairs = place_in_pairs(trace);
+    if (trace.in_pairs) trace.report_of_pairs = report_of(*trace.in_pairs);
   }
   return std::nullopt;
 }

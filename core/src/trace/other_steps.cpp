@@ -202,13 +202,13 @@ void StepNumbers::by_springs() {
 }
 
 void StepNumbers::extremes() {
-  const auto models = model_loads(placement_);
+  const auto& models = trace_.report.models;
   add("springs", placement_.loads->max);
   add("best", models->best);
   add("worst", *std::max_element(models->worst.begin(), models->worst.end()));
 }
 
-void StepNumbers::falls() { add("com_margin", equilibrium(placement_).com_margin); }
+void StepNumbers::falls() { add("com_margin", trace_.report.equilibrium.com_margin); }
 
 // --- Figures
 
@@ -271,7 +271,7 @@ void StepFigures::extremes() { add_supports(true); }
 
 void StepFigures::falls() {
   add(FigureKind::base, placement_.lifting_base);
-  const std::vector<std::uint32_t> over = equilibrium(placement_).tips_over;
+  const std::vector<std::uint32_t>& over = trace_.report.equilibrium.tips_over;
   const std::vector<Robot>& robots = placement_.teams[0].robots;
   if (over.size() == 2)
     add(FigureKind::side, Points{robots[over[0]].point.position, robots[over[1]].point.position});

@@ -280,7 +280,7 @@ void StepNumbers::settled() {
 
 void StepNumbers::failure() {
   count("robot", item_ + std::size_t{1});
-  const std::optional<RestOfRobots>& rest = detail_.balanced->rest_of[item_];
+  const std::optional<RestOfRobots>& rest = trace_.report.failures[item_];
   count("carried", rest.has_value());
   if (!rest) return;
   count("steady", rest->clear);
@@ -290,14 +290,14 @@ void StepNumbers::failure() {
 }
 
 void StepNumbers::failures() {
-  const Robustness may_fail = robustness(placement_);
+  const Robustness& may_fail = trace_.report.robustness;
   add("failures_carried", may_fail.failures_carried);
   add("failures_steady", may_fail.failures_steady);
 }
 
 void StepNumbers::pairs() {
   const Placement& pairs = *trace_.in_pairs;
-  const Robustness may_fail = robustness(pairs);
+  const Robustness& may_fail = trace_.report_of_pairs.robustness;
   count("teams", pairs.teams.size());
   add("coverage", pairs.coverage);
   count("form_closure", pairs.closure.form_closure);

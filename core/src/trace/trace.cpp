@@ -286,6 +286,8 @@ Result<Trace> make_trace(const Placement& placement, HistoryLength length, const
               .history = {},
               .robot_numbers = {},
               .in_pairs = {},
+              .report_of_pairs = {},
+              .report = {},
               .moved = {},
               .blocks = {}};
   if (placement.moved.any()) trace.moved = placement;
@@ -297,6 +299,8 @@ Result<Trace> make_trace(const Placement& placement, HistoryLength length, const
   if (swaps_teams(placement.settings) && placement.search_ended) trace_swaps(trace);
   trace.contacts = contacts(trace.polygon(), contact_points(trace.placement));
   if (auto error = check_steps(write_blocks(trace))) return *error;
+  trace.report = report_of(trace.placement, {.models = placement.settings.method == Method::given,
+                                             .failures = trace.count(StepKind::failure) > 0});
   return trace;
 }
 

@@ -241,7 +241,7 @@ std::string StepCaptions::settled() const {
 // --- If a robot fails ----------------------------------------------------------------------------
 
 std::string StepCaptions::failure() const {
-  const std::optional<RestOfRobots>& rest = detail_.balanced->rest_of[item_];
+  const std::optional<RestOfRobots>& rest = trace_.report.failures[item_];
   const std::string fails = failure_in_words({placement_, shown_in(trace_.units)}, item_, rest);
   if (!rest) return sentences({fails, "C is outside their lifting base: the object tips over."});
   return sentences(
@@ -254,11 +254,9 @@ std::string StepCaptions::failure() const {
 }
 
 std::string StepCaptions::failures() const {
+  const Robustness& known = trace_.report.robustness;
   const Shown shown = shown_in(trace_.units);
-  Report report = report_of({placement_, shown});
-  report.failures = detail_.balanced->rest_of;
-  const Robustness& known = report.robustness;
-  const std::string text = failures_in_words({{placement_, shown}, report});
+  const std::string text = failures_in_words({{placement_, shown}, trace_.report});
   if (known.failures_carried < 2) return text;
   return sentences(
       {text,
@@ -273,7 +271,7 @@ std::string StepCaptions::pairs() const {
   const std::size_t teams = pairs.teams.size();
   const double most = pairs.loads->max;
   const std::string loads = load_in_words(pairs.loads->min, most, most, trace_.units);
-  const int steady = report_of(pairs).robustness.failures_steady;
+  const int steady = trace_.report_of_pairs.robustness.failures_steady;
   const Piece all = counted(teams, "team"), most_failures = counted(teams - 1, "failure");
   return sentences(
       {fill(

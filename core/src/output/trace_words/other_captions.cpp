@@ -345,8 +345,7 @@ std::string StepCaptions::by_springs() const {
 }
 
 std::string StepCaptions::extremes() const {
-  const Reported of({placement_}, Asked{.models = true});
-  const auto& models = of.report.models;
+  const auto& models = trace_.report.models;
   return fill(
       "Other robots could share the weight differently. With ideal control, no robot would need to carry more than {best}. If their heights are unequal or the object bends, a robot may have to carry up to {worst}.",
       {load(models->best), load(*std::max_element(models->worst.begin(), models->worst.end()))});
