@@ -533,6 +533,11 @@ TEST_CASE("a spike of no width is left out of a drawing", "[import]") {
   CHECK(vertices("M0 0H150H120V80H0Z") == four);         // on from an edge
   CHECK(vertices("M0 0H120V40L150 50L180 60L120 40V80H0Z") == five);
   CHECK(vertices("M0 0H120V40L150 50L180 60L150 50L120 40V80H0Z") == five);
+  // Nothing but spikes has no area.
+  CHECK(
+      refusal(svg("<path fill='none' stroke='red' d='M0 0H120H2000Z'/>")).find("no closed shape") !=
+      std::string::npos);
+  CHECK(vertices("M0 0H9V9Z M0 0H120H2000Z") == Words{"3"});
   // A narrow tooth is none.
   CHECK(vertices("M0 0H120V40H150V40.01H120V80H0Z") == Words{"8"});
   CHECK(read(svg("<path fill='none' stroke='red' d='M0 0H150H120V80H0Z'/>")).notes.at(0) ==

@@ -123,19 +123,20 @@ std::size_t drop_spikes(Points& ring, double near) {
       if (kept.size() >= 2 && is_same(kept[kept.size() - 2], kept.back())) kept.pop_back();
     }
   }
-  // Around the first vertex.
-  for (bool again = kept.size() >= 3; again;) {
-    again = false;
-    const std::size_t n = kept.size();
-    for (const std::size_t i : {std::size_t{0}, n - 1})
-      if (!again && n >= 3 && turns_back(kept[(i + n - 1) % n], kept[i], kept[(i + 1) % n], near)) {
-        kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(i));
-        ++dropped;
-        if (kept.size() >= 2 && is_same(kept.front(), kept.back())) kept.pop_back();
-        again = kept.size() >= 3;
-      }
+  // Around the first vertex: from either end of what is left.
+  std::size_t low = 0, high = kept.size();
+  while (high - low >= 3) {
+    const Vec2 &first = kept[low], &last = kept[high - 1];
+    const bool at_first = turns_back(last, first, kept[low + 1], near);
+    if (!at_first && !turns_back(kept[high - 2], last, first, near)) break;
+    ++dropped;
+    low += at_first;
+    high -= !at_first;
+    if (is_same(kept[low], kept[high - 1])) --high;
   }
-  if (dropped > 0) ring = std::move(kept);
+  if (dropped > 0)
+    ring.assign(kept.begin() + static_cast<std::ptrdiff_t>(low),
+                kept.begin() + static_cast<std::ptrdiff_t>(high));
   return dropped;
 }
 
