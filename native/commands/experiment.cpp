@@ -9,7 +9,6 @@
 #include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
 #include "experiment/experiment_run.h"
-#include "experiment/report.h"
 #include "input/options.h"
 
 namespace evenlift::native {

@@ -1,4 +1,4 @@
-#include "experiment/experiment_folder.h"
+#include "experiment/experiment_run.h"
 
 #include <algorithm>
 #include <filesystem>

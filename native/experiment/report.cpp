@@ -1,4 +1,4 @@
-#include "experiment/report.h"
+#include "experiment/experiment_run.h"
 
 #include <algorithm>
 #include <set>

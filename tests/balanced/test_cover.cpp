@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "balanced/cover.h"
+#include "balanced/search.h"
 #include "evenlift/hull.h"
 #include "evenlift/predicates.h"
 #include "evenlift/random.h"

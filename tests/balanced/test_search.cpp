@@ -4,7 +4,7 @@
 #include <string>
 
 #include "balanced/for_oracle.h"
-#include "balanced/rules.h"
+#include "balanced/search.h"
 #include "evenlift/angles.h"
 #include "evenlift/balanced.h"
 #include "evenlift/balanced_history.h"

@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "chords/radial_view.h"
-#include "chords/ray_caster.h"
 #include "evenlift/generate.h"
 #include "evenlift/predicates.h"
 #include "kit/catch.h"

@@ -6,12 +6,11 @@
 #include <tuple>
 
 #include "evenlift/tolerance.h"
-#include "grasp/wrench_margin.h"
+#include "grasp/grasp.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/polygons.h"
 #include "polygon/half_planes.h"
-#include "polygon/moments.h"
 
 using namespace evenlift;
 using evenlift::testing::polygon;

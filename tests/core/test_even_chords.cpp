@@ -1,7 +1,7 @@
 #include <cmath>
 #include <string>
 
-#include "candidates/even_chords.h"
+#include "candidates/pair_candidate.h"
 #include "evenlift/generate.h"
 #include "evenlift/plane.h"
 #include "evenlift/random.h"

@@ -1,6 +1,6 @@
 // Polygon::create: simplicity against the definition over thousands of careless chains, and the
 // properties of valid polygons.
-#include "polygon/ring_sweep.h"
+#include "polygon/corners.h"
 
 #include <cmath>
 #include <random>

@@ -10,7 +10,7 @@
 #include "kit/check_placement.h"
 #include "kit/polygons.h"
 #include "kit/solid.h"
-#include "polygon/clip.h"
+#include "polygon/corners.h"
 
 using namespace evenlift;
 using evenlift::testing::polygon;

@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
-#include "exact/double_double.h"
 #include "exact/dyadic.h"
+#include "exact/pseudo_angle.h"
 #include "kit/catch.h"
 #include "kit/property.h"
 #include "oracle/rational.h"

@@ -13,7 +13,7 @@
 #include "evenlift/link.h"
 #include "fuzz/fuzz.h"
 #include "kit/random_documents.h"
-#include "state/opened.h"
+#include "state/derived.h"
 #include "tools/drawing.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "balanced/cover.h"
+#include "balanced/search.h"
 #include "comparisons/against_oracle.h"
 #include "evenlift/balanced.h"
 #include "evenlift/generate.h"
@@ -110,10 +110,10 @@ std::string pair_in_words(const Place& place, const std::string& kind) {
 const oracle::Point& vertex(const Ring& ring, std::size_t i) { return ring[i % ring.size()]; }
 
 // Ring 0 is the outline.
-using Rings = std::vector<Ring>;
+using RingsAround = std::vector<Ring>;
 
 // The first ring that is no polygon is refused as if alone.
-void check_bad_hole(const InputError& error, const Rings& rings) {
+void check_bad_hole(const InputError& error, const RingsAround& rings) {
   const std::size_t ring = error.place.ring;
   REQUIRE((ring > 0 && ring < rings.size()));
   CHECK(error.place.other_ring == ring);
@@ -128,7 +128,7 @@ void check_bad_hole(const InputError& error, const Rings& rings) {
 }
 
 // The vertices or edges that the error names do meet.
-void check_meeting(const InputError& error, const Rings& rings) {
+void check_meeting(const InputError& error, const RingsAround& rings) {
   const Place& at = error.place;
   CHECK(error.code == ErrorCode::edges_cross);
   REQUIRE((at.ring > at.other_ring && at.ring < rings.size()));
@@ -146,7 +146,7 @@ void check_meeting(const InputError& error, const Rings& rings) {
 }
 
 // The number of rings around it, if no two meet.
-std::size_t depth_of(const Rings& rings, std::size_t of) {
+std::size_t depth_of(const RingsAround& rings, std::size_t of) {
   std::size_t depth = 0;
   for (std::size_t i = 0; i < rings.size(); ++i)
     depth += i != of && oracle::contains(rings[i], rings[of].front());
@@ -154,7 +154,7 @@ std::size_t depth_of(const Rings& rings, std::size_t of) {
 }
 
 // The innermost: the deepest of all around it.
-std::optional<std::size_t> ring_around(const Rings& rings, std::size_t of) {
+std::optional<std::size_t> ring_around(const RingsAround& rings, std::size_t of) {
   std::optional<std::size_t> around;
   for (std::size_t i = 0; i < rings.size(); ++i)
     if (i != of && oracle::contains(rings[i], rings[of].front()) &&
@@ -164,7 +164,7 @@ std::optional<std::size_t> ring_around(const Rings& rings, std::size_t of) {
 }
 
 // The error names the first hole that is not directly within the outline.
-void check_outside(const InputError& error, const Rings& rings) {
+void check_outside(const InputError& error, const RingsAround& rings) {
   const std::size_t ring = error.place.ring;
   CHECK(error.code == ErrorCode::hole_outside);
   CHECK(error.place.kind == Place::Kind::hole);
@@ -183,7 +183,7 @@ TEST_CASE("holes are refused by definition, and the error names the rings at fau
           "[holes][oracle][slow]") {
   int accepted = 0, bad = 0, meeting = 0, outside = 0, at_vertices = 0, nested = 0;
   for (std::uint64_t number = 0; number < 8000; ++number) {
-    const Rings rings = holed_polygons::careless_rings(number);
+    const RingsAround rings = holed_polygons::careless_rings(number);
     const std::vector<Ring> holes(rings.begin() + 1, rings.end());
     const auto object =
         PolygonWithHoles::create(*Polygon::create(points_of(rings[0])), points_of(holes));

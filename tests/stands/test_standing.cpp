@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "candidates/even_chords.h"
+#include "candidates/pair_candidate.h"
 #include "candidates/standing.h"
 #include "evenlift/generate.h"
 #include "evenlift/output/json.h"

@@ -2,8 +2,8 @@
 #include <string>
 
 #include "actions/pointer.h"
-#include "edits/by_hand.h"
-#include "edits/open_document.h"
+#include "edits/undo.h"
+#include "edits/vertices.h"
 #include "evenlift/link.h"
 #include "evenlift/supports.h"
 #include "kit/catch.h"

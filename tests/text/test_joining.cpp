@@ -11,7 +11,6 @@
 #include "evenlift/plane.h"
 #include "evenlift/random.h"
 #include "import/joining/joining.h"
-#include "import/joining/nesting.h"
 #include "kit/catch.h"
 
 using namespace evenlift;

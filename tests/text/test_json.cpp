@@ -3,7 +3,7 @@
 #include "evenlift/output/json.h"
 #include "evenlift/output/json_text.h"
 #include "evenlift/placement.h"
-#include "exact/bits.h"
+#include "exact/pseudo_angle.h"
 #include "kit/corpus.h"
 #include "kit/json.h"
 #include "kit/placed.h"

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/update.h"
-#include "derive/search.h"
-#include "edits/open_document.h"
+#include "derive/derive.h"
+#include "edits/undo.h"
 #include "evenlift/balanced.h"
 #include "evenlift/link.h"
 #include "evenlift/main_steps.h"

@@ -1,7 +1,7 @@
-// During drags of large objects a worker, here the tests, chooses teams (derive/search.h).
+// During drags of large objects a worker, here the tests, chooses teams (derive/derive.h).
 #include <limits>
 
-#include "derive/search.h"
+#include "derive/derive.h"
 #include "evenlift/generate.h"
 #include "evenlift/output/json.h"
 #include "view/view_page.h"

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "derive/derive.h"
-#include "derive/search.h"
 #include "evenlift/output/robustness_words.h"
 #include "kit/catch.h"
 #include "panels/summary.h"

@@ -6,8 +6,8 @@
 
 #include "actions/actions.h"
 #include "kit/catch.h"
-#include "state/history.h"
 #include "state/layout.h"
+#include "state/work.h"
 #include "view/view_page.h"
 
 using namespace evenlift;

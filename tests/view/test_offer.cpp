@@ -1,6 +1,6 @@
 #include <string>
 
-#include "edits/open_document.h"
+#include "edits/undo.h"
 #include "evenlift/output/verdict.h"
 #include "evenlift/output/words.h"
 #include "kit/catch.h"

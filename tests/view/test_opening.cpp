@@ -4,7 +4,7 @@
 #include "app/update.h"
 #include "evenlift/link.h"
 #include "kit/catch.h"
-#include "state/opened.h"
+#include "state/derived.h"
 
 using namespace evenlift;
 using namespace evenlift::view;

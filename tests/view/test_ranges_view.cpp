@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "edits/open_document.h"
+#include "edits/undo.h"
 #include "evenlift/generate.h"
 #include "evenlift/link.h"
 #include "evenlift/output/words.h"
@@ -12,11 +12,10 @@
 #include "evenlift/stands.h"
 #include "kit/catch.h"
 #include "panels/summary.h"
-#include "state/opened.h"
+#include "state/derived.h"
 #include "tools/pick.h"
 #include "view/view_page.h"
-#include "walkthrough/explain.h"
-#include "walkthrough/questions.h"
+#include "walkthrough/walkthrough.h"
 
 using namespace evenlift;
 using namespace evenlift::view;

@@ -5,10 +5,9 @@
 #include "evenlift/settings.h"
 #include "evenlift/stands.h"
 #include "kit/catch.h"
-#include "marks/robots.h"
-#include "marks/stands.h"
+#include "marks/marks.h"
+#include "state/derived.h"
 #include "state/method.h"
-#include "state/opened.h"
 #include "tools/drawing.h"
 #include "view/view_page.h"
 

@@ -13,7 +13,6 @@
 #include "state/layout.h"
 #include "state/screen.h"
 #include "view/view_page.h"
-#include "walkthrough/questions.h"
 #include "walkthrough/walkthrough.h"
 
 using namespace evenlift;

@@ -14,11 +14,10 @@
 #include "actions/actions.h"
 #include "app/app.h"
 #include "app/update.h"
-#include "edits/open_document.h"
 #include "edits/undo.h"
 #include "evenlift/formats.h"
 #include "kit/catch.h"
-#include "state/opened.h"
+#include "state/derived.h"
 #include "ui/theme.h"
 
 namespace view_page {

@@ -8,7 +8,7 @@
 #include "tools/drawing.h"
 #include "tools/pick.h"
 #include "tools/transform.h"
-#include "walkthrough/explain.h"
+#include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
 
@@ -57,7 +57,7 @@ Vec2 neighbour(const Points& points, std::size_t i, bool next) {
 }
 
 // Whether the drawing answers for each point: the effect of a load, or the slope at which the
-// object tips that way (marks/object.h).
+// object tips that way (marks/marks.h).
 bool answers_for_points(const AppState& state) {
   const Overlays& overlays = shown(state).overlays;
   return (overlays.load && shown_report(state).extra) ||

@@ -4,7 +4,7 @@
 
 #include "app/update.h"
 #include "canvas/canvas.h"
-#include "edits/open_document.h"
+#include "edits/undo.h"
 #include "panels/panels.h"
 #include "walkthrough/walkthrough.h"
 

@@ -6,7 +6,7 @@
 #include "derive/derive.h"
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
-#include "state/opened.h"
+#include "state/derived.h"
 #include "state/screen.h"
 #include "walkthrough/walkthrough.h"
 

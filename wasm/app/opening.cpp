@@ -8,14 +8,13 @@
 
 #include "app/update.h"
 #include "derive/derive.h"
-#include "edits/open_document.h"
 #include "edits/undo.h"
 #include "evenlift/formats.h"
 #include "evenlift/lesson.h"
 #include "evenlift/link.h"
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
-#include "state/opened.h"
+#include "state/derived.h"
 #include "state/screen.h"
 #include "walkthrough/walkthrough.h"
 

@@ -5,8 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "edits/by_hand.h"
-#include "edits/open_document.h"
 #include "edits/undo.h"
 #include "edits/vertices.h"
 #include "evenlift/link.h"
@@ -20,8 +18,6 @@
 #include "state/layout.h"
 #include "state/method.h"
 #include "state/screen.h"
-#include "walkthrough/explain.h"
-#include "walkthrough/questions.h"
 #include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {

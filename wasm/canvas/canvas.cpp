@@ -5,12 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "canvas/canvas_walkthrough.h"
-#include "canvas/hint.h"
 #include "evenlift/candidates.h"
 #include "evenlift/moved.h"
 #include "marks/marks.h"
-#include "marks/object.h"
 #include "picture/canvas_view.h"
 #include "picture/painter.h"
 #include "tools/pick.h"

@@ -1,4 +1,4 @@
-#include "canvas/canvas_walkthrough.h"
+#include "canvas/canvas.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -8,14 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "canvas/hint.h"
 #include "evenlift/output/words.h"
-#include "marks/object.h"
-#include "marks/robots.h"
-#include "marks/stands.h"
+#include "marks/marks.h"
 #include "picture/triangulate.h"
-#include "ui/vec.h"
-#include "walkthrough/questions.h"
+#include "ui/theme.h"
+#include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
 namespace {

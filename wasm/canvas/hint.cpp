@@ -1,4 +1,4 @@
-#include "canvas/hint.h"
+#include "canvas/canvas.h"
 
 #include <algorithm>
 #include <numbers>
@@ -10,11 +10,10 @@
 #include "evenlift/output/words.h"
 #include "evenlift/plane.h"
 #include "evenlift/wording.h"
-#include "marks/robots.h"
-#include "marks/stands.h"
+#include "marks/marks.h"
 #include "tools/drawing.h"
 #include "tools/pick.h"
-#include "ui/vec.h"
+#include "ui/theme.h"
 
 namespace evenlift::view {
 namespace {

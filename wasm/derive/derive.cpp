@@ -7,12 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "derive/search.h"
 #include "evenlift/output/words.h"
 #include "evenlift/settings.h"
+#include "state/derived.h"
 #include "state/method.h"
-#include "state/opened.h"
-#include "walkthrough/explain.h"
+#include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
 namespace {

@@ -8,8 +8,8 @@
 #include "evenlift/output/verdict.h"
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
+#include "state/derived.h"
 #include "state/method.h"
-#include "state/opened.h"
 
 namespace evenlift::view {
 namespace {

@@ -1,4 +1,4 @@
-#include "derive/search.h"
+#include "derive/derive.h"
 
 #include <algorithm>
 #include <cmath>

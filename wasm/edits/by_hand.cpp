@@ -1,4 +1,4 @@
-#include "edits/by_hand.h"
+#include "edits/vertices.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,8 @@
-#include "edits/open_document.h"
+#include "edits/undo.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "edits/undo.h"
 #include "state/layout.h"
 #include "state/screen.h"
 

@@ -5,11 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "edits/by_hand.h"
-#include "edits/open_document.h"
+#include "edits/vertices.h"
 #include "evenlift/settings.h"
 #include "evenlift/wording.h"
-#include "state/opened.h"
+#include "state/derived.h"
 #include "state/screen.h"
 #include "tools/pick.h"
 #include "walkthrough/walkthrough.h"

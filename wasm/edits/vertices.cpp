@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "edits/open_document.h"
 #include "edits/undo.h"
 #include "evenlift/document.h"
 #include "evenlift/output/words.h"
@@ -15,8 +14,8 @@
 #include "evenlift/polygon_with_holes.h"
 #include "evenlift/settings.h"
 #include "evenlift/wording.h"
+#include "state/derived.h"
 #include "state/layout.h"
-#include "state/opened.h"
 #include "state/screen.h"
 #include "tools/drawing.h"
 #include "tools/pick.h"

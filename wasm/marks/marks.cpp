@@ -11,13 +11,10 @@
 #include "evenlift/output/words.h"
 #include "evenlift/stability.h"
 #include "evenlift/wording.h"
-#include "marks/object.h"
-#include "marks/robots.h"
-#include "marks/stands.h"
 #include "tools/drawing.h"
 #include "tools/pick.h"
 #include "ui/controls.h"
-#include "ui/vec.h"
+#include "ui/theme.h"
 
 namespace evenlift::view {
 namespace {

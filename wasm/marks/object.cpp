@@ -1,4 +1,4 @@
-#include "marks/object.h"
+#include "marks/marks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,9 @@
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/output/words.h"
 #include "evenlift/plane.h"
-#include "marks/robots.h"
 #include "tools/pick.h"
 #include "ui/icons.h"
-#include "ui/vec.h"
+#include "ui/theme.h"
 
 namespace evenlift::view {
 namespace {

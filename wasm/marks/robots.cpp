@@ -1,4 +1,4 @@
-#include "marks/robots.h"
+#include "marks/marks.h"
 
 #include <algorithm>
 #include <optional>
@@ -8,12 +8,10 @@
 
 #include "evenlift/output/picture.h"
 #include "evenlift/output/words.h"
-#include "marks/object.h"
-#include "marks/stands.h"
 #include "tools/pick.h"
 #include "tools/transform.h"
 #include "ui/controls.h"
-#include "ui/vec.h"
+#include "ui/theme.h"
 
 namespace evenlift::view {
 

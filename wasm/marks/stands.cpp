@@ -1,4 +1,4 @@
-#include "marks/stands.h"
+#include "marks/marks.h"
 
 #include <algorithm>
 #include <string>
@@ -6,8 +6,7 @@
 
 #include "evenlift/output/words.h"
 #include "evenlift/stability.h"
-#include "marks/robots.h"
-#include "walkthrough/questions.h"
+#include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
 

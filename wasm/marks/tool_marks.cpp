@@ -7,11 +7,10 @@
 
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
-#include "marks/robots.h"
 #include "tools/drawing.h"
 #include "tools/transform.h"
 #include "ui/icons.h"
-#include "ui/vec.h"
+#include "ui/theme.h"
 
 namespace evenlift::view {
 namespace {

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "derive/search.h"
+#include "derive/derive.h"
 #include "evenlift/output/json_text.h"
 #include "evenlift/placement.h"
 #include "evenlift/settings.h"

@@ -20,13 +20,13 @@ void report(const std::string& json);
 // words: {"English": "translated"}. All later sentences are in these words. {}.
 std::string speak(const RequestMembers& members);
 
-// polygon in the thesis's format, settings as lines `name=value`, robots (derive/search.h)
+// polygon in the thesis's format, settings as lines `name=value`, robots (derive/derive.h)
 // from which to go on, or "". {"robots"}, also reported when better ones are found: the best ones,
 // empty if there are none, and cut_short, whether a limit of work ended the search. With a capacity, the number of robots needed if any one may fail
 // (plan_text()). {"problem"} if a text is invalid.
 std::string search(const RequestMembers& members);
 
-// settings as lines, and as numbers the rings (derive/search.h). The answer's numbers are the
+// settings as lines, and as numbers the rings (derive/derive.h). The answer's numbers are the
 // choice, or none if the object is refused. {}.
 std::string choose(const RequestMembers& members);
 

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <utility>
 
-#include "derive/search.h"
+#include "derive/derive.h"
 #include "evenlift/balanced.h"
 #include "evenlift/capacity.h"
 #include "evenlift/centre_of_mass.h"

@@ -14,7 +14,6 @@
 
 #include "actions/actions.h"
 #include "app/app.h"
-#include "edits/by_hand.h"
 #include "edits/vertices.h"
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
@@ -27,7 +26,7 @@
 #include "evenlift/wording.h"
 #include "page/page_api.h"
 #include "page/sdl_input.h"
-#include "state/history.h"
+#include "state/work.h"
 #include "tools/pick.h"
 
 namespace evenlift::view {
@@ -325,7 +324,7 @@ EMSCRIPTEN_KEEPALIVE int page_hovered_weight() {
   return pick.kind == Pick::Kind::cargo ? static_cast<int>(pick.index) : -1;
 }
 
-// --- The robots, as supports (edits/by_hand.h), with their planned loads
+// --- The robots, as supports (edits/vertices.h), with their planned loads
 
 EMSCRIPTEN_KEEPALIVE int page_robot_count() {
   return static_cast<int>(supports_now(app().state).size());

@@ -18,7 +18,7 @@
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
 #include "page/page_api.h"
-#include "state/opened.h"
+#include "state/derived.h"
 #include "walkthrough/walkthrough.h"
 
 using namespace evenlift::view;

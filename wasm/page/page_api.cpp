@@ -12,8 +12,6 @@
 #include "actions/actions.h"
 #include "app/opening.h"
 #include "app/update.h"
-#include "edits/by_hand.h"
-#include "edits/open_document.h"
 #include "edits/undo.h"
 #include "edits/vertices.h"
 #include "evenlift/formats.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "actions/pointer.h"
-#include "state/effects.h"
+#include "state/session.h"
 
 namespace evenlift::view::browser {
 

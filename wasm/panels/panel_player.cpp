@@ -5,7 +5,6 @@
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
 #include "panels/panels.h"
-#include "walkthrough/questions.h"
 #include "walkthrough/walkthrough.h"
 #include "widgets/buttons.h"
 #include "widgets/fields.h"

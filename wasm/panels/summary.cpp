@@ -9,7 +9,7 @@
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
 #include "tools/drawing.h"
-#include "walkthrough/questions.h"
+#include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
 

@@ -1,4 +1,5 @@
 #include "picture/labels.h"
+#include "picture/canvas_view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "evenlift/plane.h"
-#include "ui/vec.h"
+#include "ui/theme.h"
 
 namespace evenlift::view {
 namespace {

@@ -11,7 +11,7 @@
 #include "evenlift/report.h"
 #include "picture/labels.h"
 #include "state/state.h"
-#include "ui/heat_levels.h"
+#include "ui/theme.h"
 
 namespace evenlift::view {
 

@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include "state/effects.h"
-#include "state/opened.h"
+#include "state/derived.h"
+#include "state/session.h"
 #include "state/state.h"
 #include "state/view_state.h"
 

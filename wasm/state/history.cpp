@@ -1,4 +1,4 @@
-#include "state/history.h"
+#include "state/work.h"
 
 #include <iterator>
 #include <utility>

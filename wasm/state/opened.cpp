@@ -1,4 +1,4 @@
-#include "state/opened.h"
+#include "state/derived.h"
 
 #include <utility>
 

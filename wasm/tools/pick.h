@@ -8,7 +8,7 @@
 #include <string>
 
 #include "evenlift/document.h"
-#include "state/effects.h"
+#include "state/session.h"
 #include "state/state.h"
 #include "state/view_state.h"
 

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "evenlift/wording.h"
-#include "ui/heat_levels.h"
 
 namespace evenlift::view {
 namespace {

@@ -1,4 +1,4 @@
-// The colours by role, light and dark, and the typefaces.
+// Converts coordinates and points to Dear ImGui's points, which are stored as floats.
 #pragma once
 
 #include <imgui.h>
@@ -6,9 +6,20 @@
 #include <string_view>
 #include <vector>
 
+#include "evenlift/vec.h"
 #include "state/state.h"
 
 namespace evenlift::view {
+
+inline ImVec2 vec(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
+inline ImVec2 vec(const Vec2& p) { return vec(p.x, p.y); }
+
+// --- The heat map's levels: forces that tip the object, in units of its weight. A band of the heat map
+// is between two levels, below the first or above the last.
+
+inline constexpr double heat_levels[] = {0.1, 0.2, 0.5, 1, 2};
+
+// --- The colours by role, light and dark, and the typefaces.
 
 // A colour 0xRRGGBB, with an opacity in [0, 1].
 struct Colour {

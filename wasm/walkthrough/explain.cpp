@@ -1,4 +1,4 @@
-#include "walkthrough/explain.h"
+#include "walkthrough/walkthrough.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -12,7 +12,7 @@
 #include "evenlift/plane.h"
 #include "evenlift/why_not.h"
 #include "evenlift/wording.h"
-#include "state/opened.h"
+#include "state/derived.h"
 #include "state/screen.h"
 
 namespace evenlift::view {

@@ -1,4 +1,4 @@
-#include "walkthrough/questions.h"
+#include "walkthrough/walkthrough.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -11,8 +11,6 @@
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
 #include "state/screen.h"
-#include "walkthrough/explain.h"
-#include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
 

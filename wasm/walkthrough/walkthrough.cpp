@@ -13,8 +13,6 @@
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
 #include "state/screen.h"
-#include "walkthrough/explain.h"
-#include "walkthrough/questions.h"
 
 namespace evenlift::view {
 

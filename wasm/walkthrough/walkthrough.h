@@ -1,6 +1,7 @@
-// The timeline counts the shown steps: the main steps, all steps, or the stops of a script.
+// Answers "Why not this one?" at a point of the drawing.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -8,8 +9,73 @@
 
 #include "evenlift/result.h"
 #include "state/state.h"
+#include "state/view_state.h"
 
 namespace evenlift::view {
+
+// For balanced robots, explains why no robot stands at the nearest place of the boundary. For
+// teams, explains why the candidate near the point, or else the chord through it, was not chosen.
+// If there is no such candidate and the point is outside the polygon, only calls forget_why().
+// O(n + K) for K candidates.
+void ask_why(AppState& state, const Vec2& at);
+
+// Forgets the question and its answer.
+void forget_why(Walkthrough& walk);
+
+// --- Explains why a robot stands where it does, and why a candidate was chosen or not.
+
+// Returns the explanation of a robot, a chord or a candidate of one of the two pictures. Costs at
+// most as much as make_trace() and look_at_scores().
+Explanation explain(const AppState& state, const Pick& pick);
+
+// Returns the explanation as one text, for users who cannot see the card.
+std::string in_words(const Explanation& explanation);
+
+// --- Finds the parts of the walkthrough's drawing that are under the pointer.
+
+// Returns the index of the walkthrough's figure under the pointer, or nothing. Points precede
+// lines, and lines precede areas. O(points of the figures).
+std::optional<std::size_t> figure_at(const AppState& state, const Vec2& screen);
+
+// Returns the question's choice that is nearest to the pointer, or nothing if all are too far away
+// or no question is asked. O(choices).
+std::optional<std::uint32_t> choice_at(const AppState& state, const Vec2& screen);
+
+// --- The texts around the walkthrough's steps.
+
+std::string place_in_words(const AppState& state);  // the position: "3 of 15"
+
+// If only the main steps are shown, returns a sentence that says how many steps like this one are
+// left out (further_like()): "There are 208 more pairs like it: …". Empty if none are left out,
+// if all steps are shown, or while a script or a question is shown.
+std::string left_out_in_words(const AppState& state);
+
+// Returns the step's position and chapter, the verdict on the last guess, the teacher's words, the
+// caption, the formula, left_out_in_words() and the question, for users who cannot see the canvas;
+// empty if no walkthrough is open.
+std::string walkthrough_in_words(const AppState& state);
+
+// --- Asks the learner about the next choice, and responds to the answer.
+
+// The greatest number of questions of each kind; later choices are shown without a question.
+inline constexpr std::size_t most_questions = 3;
+
+// Turns predictions on or off. While they are on, the learner is asked before a choice is shown. If
+// no shown step has a choice to ask for, predictions stay off, and a notice reports this.
+void set_predict(AppState& state, bool on);
+
+// Asks for the choice that this step shows, unless the step shows none, the choice is trivial, or
+// questions of its kind were asked at most_questions other steps.
+void ask(AppState& state, std::uint32_t step);
+
+// Goes to the question's step, and reports whether the answer was right.
+void guess(AppState& state, std::uint32_t answer);
+
+// Returns whether a question concerns balanced robots that the present step does not show. If so,
+// only these robots and the chords to choose from are drawn.
+bool asks_of_other_robots(const AppState& state);
+
+// --- The timeline counts the shown steps: the main steps, all steps, or the stops of a script.
 
 struct Timeline {
   std::uint32_t at = 0, count = 1;  // the present position, from 0, and the number of positions
@@ -54,7 +120,7 @@ std::string words_of_stop(const AppState& state);
 // --- Moves through the walkthrough, by hand or automatically.
 
 // Moves by a number of shown steps: main steps, all steps, or stops of the script. With predictions
-// on, a step forward to a choice asks for the choice first (walkthrough/questions.h).
+// on, a step forward to a choice asks for the choice first (walkthrough/walkthrough.h).
 void move_steps(AppState& state, int by);
 // If `by` is negative, moves back to the beginning of this chapter or, if already there, of the
 // preceding one. Otherwise moves to the next chapter or, in the last chapter, to the last step.

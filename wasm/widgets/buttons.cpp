@@ -6,7 +6,6 @@
 
 #include "ui/controls.h"
 #include "ui/theme.h"
-#include "ui/vec.h"
 #include "widgets/fields.h"
 #include "widgets/text.h"
 

@@ -1,5 +1,5 @@
 // Chooses the teams of a large object in a worker during a drag, so that frames stay short. The program asks for one
-// document after another, each once the one before is answered (wasm/derive/search.h).
+// document after another, each once the one before is answered (wasm/derive/derive.h).
 import { Core } from "./core.js";
 import { begin, end } from "./work.js";
 

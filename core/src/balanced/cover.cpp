@@ -1,4 +1,4 @@
-#include "balanced/cover.h"
+#include "balanced/search.h"
 
 #include <algorithm>
 #include <array>

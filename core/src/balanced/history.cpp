@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "balanced/rules.h"
 #include "balanced/search.h"
 #include "evenlift/balanced.h"
 #include "evenlift/balanced_history.h"

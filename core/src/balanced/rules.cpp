@@ -1,4 +1,4 @@
-#include "balanced/rules.h"
+#include "balanced/search.h"
 
 #include <algorithm>
 #include <cmath>

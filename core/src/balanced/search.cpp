@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "balanced/rules.h"
 #include "balanced/search.h"
 #include "evenlift/balanced.h"
 #include "evenlift/balanced_history.h"

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "candidates/pair_candidate.h"
-#include "chords/ray_caster.h"
+#include "chords/radial_view.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 #include "exact/pseudo_angle.h"

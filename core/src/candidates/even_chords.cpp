@@ -1,4 +1,4 @@
-#include "candidates/even_chords.h"
+#include "candidates/pair_candidate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "candidates/candidate_order.h"
-#include "candidates/pair_candidate.h"
 #include "candidates/standing.h"
 #include "chords/radial_view.h"
 #include "evenlift/predicates.h"

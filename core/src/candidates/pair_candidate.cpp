@@ -5,10 +5,9 @@
 #include <limits>
 
 #include "chords/radial_view.h"
-#include "chords/ray_caster.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
-#include "exact/double_double.h"
+#include "exact/pseudo_angle.h"
 
 namespace evenlift {
 namespace {

@@ -8,7 +8,6 @@
 #include "candidates/pair_candidate.h"
 #include "candidates/standing.h"
 #include "chords/radial_view.h"
-#include "chords/ray_caster.h"
 #include "evenlift/candidates.h"
 #include "evenlift/tolerance.h"
 #include "exact/pseudo_angle.h"

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "chords/radial_view.h"
-#include "chords/ray_caster.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"

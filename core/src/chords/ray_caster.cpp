@@ -1,4 +1,4 @@
-#include "chords/ray_caster.h"
+#include "chords/radial_view.h"
 
 #include <algorithm>
 #include <cmath>

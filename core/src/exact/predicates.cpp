@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "evenlift/tolerance.h"
-#include "exact/double_double.h"
 #include "exact/dyadic.h"
+#include "exact/pseudo_angle.h"
 
 namespace evenlift {
 namespace {

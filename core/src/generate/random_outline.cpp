@@ -238,7 +238,7 @@ class Outline {
 };
 
 // Whether some point sees all, or nearly all, of a counter-clockwise outline: clips a large square
-// by each edge's inner side, with a little slack, which polygon/clip.h does not allow. O(n) times
+// by each edge's inner side, with a little slack, which polygon/corners.h does not allow. O(n) times
 // the corners of the remaining square, which is soon empty.
 bool is_star_shaped(const std::vector<GridPoint>& outline) {
   struct Corner {

@@ -10,9 +10,8 @@
 #include "evenlift/tolerance.h"
 #include "exact/sorted_indices.h"
 #include "grasp/grasp.h"
-#include "polygon/clip.h"
+#include "polygon/corners.h"
 #include "polygon/half_planes.h"
-#include "polygon/moments.h"
 
 namespace evenlift {
 namespace {

@@ -5,7 +5,6 @@
 #include "evenlift/closure.h"
 #include "evenlift/tolerance.h"
 #include "exact/sorted_indices.h"
-#include "grasp/contact_finder.h"
 #include "grasp/grasp.h"
 
 namespace evenlift {

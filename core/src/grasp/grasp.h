@@ -1,4 +1,4 @@
-// Computes the margins of many placements on one object.
+// Finds the contacts of robots with an object, and the distances of these contacts from corners.
 #pragma once
 
 #include <algorithm>
@@ -8,10 +8,59 @@
 #include <vector>
 
 #include "evenlift/closure.h"
-#include "grasp/contact_finder.h"
-#include "grasp/wrench_margin.h"
+#include "evenlift/vec.h"
+#include "polygon/corners.h"
 
 namespace evenlift {
+
+class ContactFinder {
+ public:
+  // The polygon must outlive the finder. O(n log n).
+  explicit ContactFinder(const Polygon& polygon);
+
+  // Returns the same as contacts() (closure.h). O(m log n) for m points, if few vertices lie within
+  // tau L of one another.
+  std::vector<Contact> find(const std::vector<LiftingPoint>& points) const;
+
+ private:
+  // A cell of a grid of squares with side 4 tau L. All points within tau L of a given point lie in
+  // at most four of these squares.
+  using Cell = std::array<double, 2>;
+  Cell cell_of(const Vec2& p) const;
+  // Takes each vertex in the cells around a point, among them all within tau L of it.
+  template <class Take>
+  void each_vertex_near(const Vec2& p, Take take) const;
+
+  const Polygon& polygon_;
+  double near_;
+  std::vector<Cell> cells_;             // by vertex
+  std::vector<std::uint32_t> by_cell_;  // the vertices in the order of their cells
+  Corners corners_;
+};
+
+// --- The margin of a grasp, by C. Ferrari and J. Canny (Planning optimal grasps, 1992). Their measure
+// is often called epsilon or Q1. This is the L1 form, with one limit for the sum of all contact
+// forces.
+
+using Wrench = Vec3;  // force x, force y, torque
+
+// The minimum over all unit vectors u of the maximum of u . w over the wrenches w. This is the
+// radius of the largest ball about the origin in their convex hull; if the origin is outside, it is
+// minus the hull's distance from the origin. There must be at least one wrench. O(m^2) for up to 32
+// wrenches. For more, the hull is built only from the wrenches that bound the ball, usually a few
+// dozen; finding each of these takes O(m).
+double wrench_margin(const std::vector<Wrench>& wrenches);
+
+// The margin, and a unit vector u for which the maximum of u . w is nearly the margin. For any
+// other set of wrenches w, the maximum of u . w is an upper bound of that set's margin. The bound
+// is close if the set is similar to the given one.
+struct WeakestDirection {
+  double margin = 0;
+  Wrench direction{1, 0, 0};
+};
+WeakestDirection weakest_direction(const std::vector<Wrench>& wrenches);
+
+// --- Computes the margins of many placements on one object.
 
 class Margins {
  public:

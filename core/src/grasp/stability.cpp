@@ -7,7 +7,7 @@
 
 #include "evenlift/loads.h"
 #include "evenlift/tolerance.h"
-#include "polygon/clip.h"
+#include "polygon/corners.h"
 
 namespace evenlift {
 

@@ -1,4 +1,4 @@
-#include "grasp/wrench_margin.h"
+#include "grasp/grasp.h"
 
 #include <Eigen/LU>
 #include <algorithm>

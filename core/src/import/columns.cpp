@@ -9,9 +9,7 @@
 #include "import/gathering.h"
 #include "import/readers.h"
 #include "import/table_columns.h"
-#include "import/tables/cells.h"
 #include "import/tables/table_headings.h"
-#include "import/unit_words.h"
 #include "import/wkt_shapes.h"
 #include "numbers/text_cursor.h"
 

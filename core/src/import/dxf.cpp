@@ -6,12 +6,9 @@
 #include <vector>
 
 #include "evenlift/wording.h"
-#include "import/dxf/code_page.h"
 #include "import/dxf/drawing.h"
-#include "import/dxf/outlines.h"
 #include "import/gathering.h"
 #include "import/readers.h"
-#include "import/unit_words.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {

@@ -8,7 +8,7 @@
 #include "evenlift/numbers.h"
 #include "evenlift/wording.h"
 #include "formats/readers.h"
-#include "import/joining/nesting.h"
+#include "import/joining/joining.h"
 #include "numbers/number_text.h"
 
 namespace evenlift {

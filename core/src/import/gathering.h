@@ -12,7 +12,6 @@
 #include "evenlift/document.h"
 #include "evenlift/import.h"
 #include "import/joining/joining.h"
-#include "import/joining/nesting.h"
 
 namespace evenlift {
 

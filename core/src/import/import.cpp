@@ -11,7 +11,6 @@
 #include "import/other_kinds.h"
 #include "import/projection/projection.h"
 #include "import/readers.h"
-#include "import/unit_words.h"
 #include "import/wkt_shapes.h"
 #include "numbers/text_cursor.h"
 

@@ -10,7 +10,7 @@
 #include "evenlift/wording.h"
 #include "formats/readers.h"
 #include "import/gathering.h"
-#include "import/joining/nesting.h"
+#include "import/joining/joining.h"
 #include "import/readers.h"
 #include "import/tables/table_headings.h"
 #include "numbers/json_tree.h"

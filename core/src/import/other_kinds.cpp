@@ -12,7 +12,6 @@
 #include "evenlift/numbers.h"
 #include "evenlift/predicates.h"
 #include "evenlift/vec.h"
-#include "import/tables/cells.h"
 #include "import/tables/table_headings.h"
 #include "numbers/text_cursor.h"
 

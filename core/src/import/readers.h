@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "evenlift/document.h"
 #include "evenlift/import.h"
 
 namespace evenlift {
@@ -26,5 +27,24 @@ inline constexpr char known_formats[] =
 inline constexpr char robots_are_no_polygon[] =
     "these are the robots of a result, not a polygon: open the JSON saved with them, which contains the "
     "polygon and all settings";
+
+// --- Full names of length units.
+
+// The unit's full name, such as "millimetres"; empty for LengthUnit::none.
+inline const char* in_full(LengthUnit unit) {
+  switch (unit) {
+    case LengthUnit::m:
+      return "metres";
+    case LengthUnit::cm:
+      return "centimetres";
+    case LengthUnit::mm:
+      return "millimetres";
+    case LengthUnit::in:
+      return "inches";
+    case LengthUnit::none:
+      break;
+  }
+  return "";
+}
 
 }  // namespace evenlift

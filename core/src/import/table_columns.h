@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "import/tables/cells.h"
+#include "import/tables/table_headings.h"
 
 namespace evenlift {
 

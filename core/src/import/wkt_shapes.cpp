@@ -10,7 +10,6 @@
 #include "evenlift/wording.h"
 #include "formats/readers.h"
 #include "import/gathering.h"
-#include "import/tables/cells.h"
 #include "import/tables/table_headings.h"
 #include "numbers/text_cursor.h"
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "exact/bits.h"
+#include "exact/pseudo_angle.h"
 #include "link/quantizer.h"
 
 namespace evenlift {

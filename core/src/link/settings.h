@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "evenlift/document.h"
-#include "exact/bits.h"
+#include "exact/pseudo_angle.h"
 #include "link/quantizer.h"
 #include "link/range_coder.h"
 

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "exact/bits.h"
+#include "exact/pseudo_angle.h"
 #include "link/quantizer.h"
 #include "link/range_coder.h"
 

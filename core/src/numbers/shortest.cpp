@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "evenlift/numbers.h"
-#include "exact/bits.h"
+#include "exact/pseudo_angle.h"
 #include "numbers/number_text.h"
 #include "numbers/text_cursor.h"
 

@@ -12,7 +12,7 @@
 #include "evenlift/tolerance.h"
 #include "grasp/grasp.h"
 #include "optimum/rings.h"
-#include "polygon/clip.h"
+#include "polygon/corners.h"
 #include "swaps/rounds.h"
 
 namespace evenlift::optimum {

@@ -11,7 +11,7 @@
 #include "evenlift/stability.h"
 #include "evenlift/tilt.h"
 #include "evenlift/tolerance.h"
-#include "polygon/clip.h"
+#include "polygon/corners.h"
 #include "robustness/support.h"
 
 namespace evenlift {

@@ -14,7 +14,7 @@
 #include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
-#include "placement/describe.h"
+#include "placement/robot_drift.h"
 
 namespace evenlift {
 namespace {

@@ -13,7 +13,7 @@
 #include "evenlift/supports.h"
 #include "evenlift/swaps.h"
 #include "evenlift/wording.h"
-#include "placement/describe.h"
+#include "placement/robot_drift.h"
 
 namespace evenlift {
 namespace {

@@ -2,12 +2,17 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "evenlift/document.h"
 #include "evenlift/polygon.h"
 #include "evenlift/vec.h"
+#include "exact/sorted_indices.h"
 
 namespace evenlift {
 
@@ -95,5 +100,101 @@ class Corners {
   std::vector<double> back_,
       on_;  // from the end of a run to the nearest corner before and after it
 };
+
+// --- Clips rings, closed polygonal lines, by half-planes (I. E. Sutherland and G. W. Hodgman,
+// Reentrant polygon clipping, 1974).
+
+// The part of the ring on or to the left of the line a -> b. Parts of a ring that is not convex may
+// be connected by overlapping edges along the line; the signed area is still correct. O(m) for m
+// vertices.
+Points clip_left(const Points& ring, const Vec2& a, const Vec2& b);
+
+// Clips by the line through `from` along `direction`. If two close points were moved, rounding may
+// have turned their line; then pass the difference of the original points as `direction`. O(m).
+Points clip_left_of_ray(const Points& ring, const Vec2& from, const Vec2& direction);
+
+// The signed area of the part of the ring to the left of both a -> b and b -> c. The function clips
+// twice in one pass, without storing the result. O(m).
+double area_left_of_both(const Points& ring, const Vec2& a, const Vec2& b, const Vec2& c);
+
+// --- The area of the part of an object in a convex polygon with many corners.
+
+// Twice the area of the part of a closed ring in a convex, counter-clockwise polygon with an area,
+// negative for a clockwise ring. Each edge is compared only with the sides of the polygon between
+// the directions of its ends, seen from inside the polygon. So for a ring whose edges hardly
+// overlap, seen from there, n edges and h sides take O(n log h + h); clipping takes O(n h) always.
+double doubled_area_in_hull(const Points& ring, const Points& hull);
+
+// --- A tree of boxes. Each node of the tree has the box around consecutive edges.
+
+// The ends of an edge or of any other segment.
+struct LineEnds {
+  Vec2 start, end;
+};
+
+class EdgeTree {
+ public:
+  struct Node {
+    Box box;
+    std::uint32_t begin = 0, end = 0;   // edges begin .. end - 1
+    std::uint32_t left = 0, right = 0;  // children; 0 in a leaf, as the root is never a child
+    bool is_leaf() const { return left == 0; }
+  };
+
+  // O(n).
+  explicit EdgeTree(const Polygon& polygon);
+  // Makes the tree of any segments; neighbours in the list should be near each other. If there are
+  // no segments, the tree is one leaf without edges. O(n).
+  explicit EdgeTree(const std::vector<LineEnds>& lines);
+
+  // Node 0 is the root.
+  const Node& node(std::uint32_t i) const { return nodes_[i]; }
+
+ private:
+  std::uint32_t build(const std::vector<LineEnds>& lines, std::uint32_t begin, std::uint32_t end);
+
+  std::vector<Node> nodes_;
+};
+
+// The edges of a closed ring, in order. O(n).
+std::vector<LineEnds> edges_of(const Points& ring);
+
+// --- The least size of coordinates.
+
+// Whether a coordinate is not 0 but nearer to 0 than is accepted. Differences of accepted
+// coordinates are 0 or at least 1e-116 in size, so lengths, areas and moments of even the thinnest
+// object stay far from underflow. O(1).
+inline bool is_too_near_to_0(double coordinate) {
+  return coordinate != 0 && std::fabs(coordinate) < min_coordinate;
+}
+inline bool is_too_near_to_0(const Vec2& v) {
+  return is_too_near_to_0(v.x) || is_too_near_to_0(v.y);
+}
+
+// --- Finds edges of rings that cross or touch, and for each ring the innermost ring around it. All
+// decisions are exact.
+
+// Rings in one list of vertices: ring r ends before ends[r]. Edge i runs from vertex i to the next
+// vertex of its ring.
+struct Rings {
+  Points vertices;
+  std::vector<std::size_t> ends;
+  std::vector<bool> counter_clockwise;  // by ring; needed only if there is more than one ring
+  std::size_t size() const { return ends.size(); }
+  std::size_t begin(std::size_t ring) const { return ring == 0 ? 0 : ends[ring - 1]; }
+};
+
+struct RingSweep {
+  // Two edges with a common point, the smaller index first; nullopt if there are no such edges. The
+  // vertex that neighbours share does not count.
+  std::optional<std::pair<std::size_t, std::size_t>> crossing;
+  // For each ring, the innermost ring around it; nullopt if there is none. The list is filled only
+  // if there is no crossing.
+  std::vector<std::optional<std::size_t>> around;
+};
+
+// The sweep of M. I. Shamos and D. Hoey (Geometric intersection problems, 1976) with exact
+// predicates. The vertices must be distinct. `order` is their lexicographic_order(). O(n log n).
+RingSweep sweep(const Rings& rings, const SortedIndices& order);
 
 }  // namespace evenlift

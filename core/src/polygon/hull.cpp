@@ -13,7 +13,6 @@
 #include "evenlift/tolerance.h"
 #include "exact/pseudo_angle.h"
 #include "exact/sorted_indices.h"
-#include "polygon/clip.h"
 #include "polygon/corners.h"
 
 namespace evenlift {

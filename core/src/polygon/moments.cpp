@@ -1,4 +1,4 @@
-#include "polygon/moments.h"
+#include "polygon/half_planes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,10 @@
 
 #include "evenlift/centre_of_mass.h"
 #include "evenlift/predicates.h"
-#include "exact/bits.h"
-#include "exact/double_double.h"
 #include "exact/dyadic.h"
+#include "exact/pseudo_angle.h"
 #include "exact/sorted_indices.h"
-#include "polygon/ring_sweep.h"
+#include "polygon/corners.h"
 
 namespace evenlift {
 namespace {

@@ -15,8 +15,8 @@
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
 #include "exact/sorted_indices.h"
-#include "polygon/moments.h"
-#include "polygon/ring_sweep.h"
+#include "polygon/corners.h"
+#include "polygon/half_planes.h"
 
 namespace evenlift {
 namespace {

@@ -10,7 +10,6 @@
 #include "evenlift/tolerance.h"
 #include "exact/sorted_indices.h"
 #include "placement/robot_drift.h"
-#include "robustness/load_errors.h"
 #include "robustness/support.h"
 
 namespace evenlift {

@@ -9,7 +9,6 @@
 #include "evenlift/tolerance.h"
 #include "exact/pseudo_angle.h"
 #include "exact/sorted_indices.h"
-#include "robustness/load_errors.h"
 #include "robustness/support.h"
 
 namespace evenlift {

@@ -8,7 +8,7 @@
 #include "evenlift/tolerance.h"
 #include "exact/pseudo_angle.h"
 #include "exact/sorted_indices.h"
-#include "polygon/clip.h"
+#include "polygon/corners.h"
 #include "robustness/support.h"
 
 namespace evenlift {

@@ -1,4 +1,4 @@
-#include "selection/base_edge.h"
+#include "selection/greedy_selector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "evenlift/tolerance.h"
 #include "exact/pseudo_angle.h"
 #include "exact/sorted_indices.h"
-#include "polygon/clip.h"
+#include "polygon/corners.h"
 
 namespace evenlift {
 namespace {

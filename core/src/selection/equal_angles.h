@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "chords/radial_view.h"
-#include "chords/ray_caster.h"
 #include "evenlift/chords.h"
 #include "evenlift/tolerance.h"
 

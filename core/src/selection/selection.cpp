@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "chords/ray_caster.h"
+#include "chords/radial_view.h"
 #include "evenlift/angles.h"
 #include "evenlift/random.h"
 #include "selection/equal_angles.h"

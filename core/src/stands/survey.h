@@ -14,7 +14,6 @@
 #include "evenlift/plane.h"
 #include "evenlift/polygon_with_holes.h"
 #include "evenlift/stands.h"
-#include "polygon/clip.h"
 #include "polygon/corners.h"
 
 namespace evenlift {

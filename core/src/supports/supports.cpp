@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "balanced/rules.h"
+#include "balanced/search.h"
 #include "evenlift/hull.h"
 #include "evenlift/numbers.h"
 #include "evenlift/plane.h"
@@ -15,7 +15,7 @@
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
 #include "numbers/number_text.h"
-#include "polygon/ring_sweep.h"
+#include "polygon/corners.h"
 
 namespace evenlift {
 namespace {

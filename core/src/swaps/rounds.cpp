@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "balanced/cover.h"
+#include "balanced/search.h"
 #include "evenlift/tolerance.h"
 #include "grasp/grasp.h"
 

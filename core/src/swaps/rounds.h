@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "balanced/cover.h"
+#include "balanced/search.h"
 #include "evenlift/stands.h"
 #include "evenlift/swaps.h"
 #include "grasp/grasp.h"

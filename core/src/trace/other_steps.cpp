@@ -5,8 +5,7 @@
 #include "evenlift/stability.h"
 #include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
-#include "trace/step_figures.h"
-#include "trace/step_numbers.h"
+#include "trace/step_rows.h"
 
 namespace evenlift {
 

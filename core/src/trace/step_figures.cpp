@@ -1,4 +1,4 @@
-#include "trace/step_figures.h"
+#include "trace/step_rows.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "trace/step_numbers.h"
+#include "trace/step_rows.h"
 
 #include <algorithm>
 

@@ -4,8 +4,7 @@
 #include "evenlift/main_steps.h"
 #include "evenlift/trace.h"
 #include "exact/sorted_indices.h"
-#include "trace/step_figures.h"
-#include "trace/step_numbers.h"
+#include "trace/step_rows.h"
 
 namespace evenlift {
 namespace {

@@ -1,12 +1,12 @@
 #include <algorithm>
 
 #include "candidates/pair_candidate.h"
-#include "chords/ray_caster.h"
+#include "chords/radial_view.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/trace.h"
-#include "polygon/clip.h"
-#include "selection/base_edge.h"
+#include "polygon/corners.h"
+#include "selection/greedy_selector.h"
 #include "trace/step_rows.h"
 
 namespace evenlift {

@@ -6,7 +6,6 @@
 #include "evenlift/why_not.h"
 #include "exact/sorted_indices.h"
 #include "selection/greedy_selector.h"
-#include "selection/rules.h"
 
 namespace evenlift {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "chords/ray_caster.h"
+#include "chords/radial_view.h"
 #include "evenlift/plane.h"
 #include "evenlift/tolerance.h"
 #include "trace/step_rows.h"

@@ -12,7 +12,7 @@
 #include "evenlift/settings.h"
 #include "evenlift/stability.h"
 #include "evenlift/tolerance.h"
-#include "experiment/measure/measure_balanced.h"
+#include "experiment/measure/csv.h"
 
 namespace evenlift::experiment {
 namespace {

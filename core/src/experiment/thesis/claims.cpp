@@ -5,7 +5,6 @@
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
 #include "experiment/thesis/by_polygon.h"
-#include "experiment/thesis/claims_sections.h"
 
 namespace evenlift::experiment::claims {
 namespace {

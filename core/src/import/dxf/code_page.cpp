@@ -1,10 +1,9 @@
-#include "import/dxf/code_page.h"
+#include "import/dxf/drawing.h"
 
 #include <iconv.h>
 #include <cstdint>
 #include <utility>
 
-#include "import/dxf/drawing.h"
 #include "numbers/number_text.h"
 
 namespace evenlift {

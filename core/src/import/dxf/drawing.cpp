@@ -5,7 +5,6 @@
 #include <iterator>
 
 #include "evenlift/numbers.h"
-#include "import/dxf/outlines.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {

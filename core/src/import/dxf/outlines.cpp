@@ -1,4 +1,4 @@
-#include "import/dxf/outlines.h"
+#include "import/dxf/drawing.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,9 +7,6 @@
 #include <numeric>
 #include <tuple>
 
-#include "import/joining/planar_faces.h"
-#include "import/joining/point_grid.h"
-
 namespace evenlift {
 namespace {
 

@@ -1,4 +1,4 @@
-#include "import/joining/nesting.h"
+#include "import/joining/joining.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -6,7 +6,6 @@
 
 #include "evenlift/hull.h"
 #include "evenlift/plane.h"
-#include "import/joining/planar_faces.h"
 
 namespace evenlift {
 namespace {

@@ -1,4 +1,4 @@
-#include "import/joining/planar_faces.h"
+#include "import/joining/joining.h"
 
 #include <algorithm>
 #include <cstdint>

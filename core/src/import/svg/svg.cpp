@@ -4,10 +4,7 @@
 #include "evenlift/link.h"
 #include "evenlift/wording.h"
 #include "import/readers.h"
-#include "import/svg/svg_element.h"
-#include "import/svg/svg_entities.h"
 #include "import/svg/svg_reader.h"
-#include "import/unit_words.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {

@@ -1,21 +1,260 @@
-// Gathers the visible shapes of one SVG.
+// Names and attributes of SVG elements.
 #pragma once
 
+#include <array>
+#include <compare>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "curves/outline.h"
+#include "evenlift/document.h"
+#include "evenlift/result.h"
+#include "evenlift/vec.h"
 #include "evenlift/wording.h"
 #include "import/gathering.h"
-#include "import/svg/svg_style.h"
-#include "import/svg/svg_values.h"
 
 namespace evenlift {
+
+// The name without its prefix: "href" for "xlink:href".
+inline std::string_view without_prefix(std::string_view name) {
+  const std::size_t colon = name.rfind(':');
+  return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
+inline std::string_view local_name(const pugi::xml_node& node) {
+  return without_prefix(node.name());
+}
+
+// Whether the element's prefix, if it has one, stands for another namespace than SVG.
+inline bool is_foreign(const pugi::xml_node& node) {
+  const std::string_view name = node.name();
+  const std::size_t colon = name.find(':');
+  if (colon == std::string_view::npos) return false;
+  const std::string declared = "xmlns:" + std::string(name.substr(0, colon));
+  constexpr int most_looked_at = 100;  // of the attributes of an element
+  for (pugi::xml_node each = node; each; each = each.parent()) {
+    int looked_at = 0;
+    for (const pugi::xml_attribute attribute : each.attributes()) {
+      if (++looked_at > most_looked_at) break;
+      if (declared == attribute.name())
+        return std::string_view(attribute.value()) != "http://www.w3.org/2000/svg";
+    }
+  }
+  return false;  // a prefix that nothing declares is taken for SVG's
+}
+
+inline std::string_view value_of(const pugi::xml_node& node, const char* attribute) {
+  return node.attribute(attribute).value();
+}
+
+// --- Entities that an SVG declares for itself: <!ENTITY plate "<rect … />">.
+
+// The text with the values of its own entities in their places; empty if it declares none. Entities
+// of other files are left as they are. It is an error if entities contain each other more than eight
+// deep, or if the text becomes longer than 64 MiB. O(the longer text).
+Result<std::optional<std::string>> with_entities(std::string_view text);
+
+// --- Parsers of SVG attributes.
+
+// A problem, as part of a sentence, such as "character 7: not a number".
+struct SvgProblem {
+  std::string what;
+};
+template <class T>
+using SvgResult = std::variant<T, SvgProblem>;
+
+// Reads a list of numbers separated by white space and commas. O(bytes).
+SvgResult<std::vector<double>> svg_numbers(std::string_view text);
+
+// The text without white space and commas at its ends. O(bytes).
+std::string_view svg_trimmed(std::string_view text);
+
+// Returns a length in user units. The text is a number, perhaps with a unit such as mm or with %,
+// which means per cent of `whole`. An inch is 96 user units. Empty text and "auto" give nullopt.
+// O(bytes).
+SvgResult<std::optional<double>> svg_length(std::string_view text,
+                                            std::optional<double> whole = std::nullopt);
+
+// Moves every point by (x, y).
+Affine translation(double x, double y);
+
+// Reads a transform in the syntax of the attribute, or of CSS, which also has units and more
+// functions: translateX(1mm), rotate(90deg), skew(1rad). Empty text and "none" give the identity.
+// O(bytes).
+SvgResult<Affine> svg_transform(std::string_view text);
+
+// Reads a point such as "center", "10px 20px" or "left 25%" in a box at the origin. A point that
+// depends on an unknown width or height of the box is a problem. Empty text gives the origin.
+// O(bytes).
+SvgResult<Vec2> svg_transform_origin(std::string_view text, std::optional<double> width,
+                                     std::optional<double> height);
+
+// One part of a path.
+struct SvgOutline {
+  Outline outline;
+  bool closed;
+};
+SvgResult<std::vector<SvgOutline>> svg_path(std::string_view text);
+
+// --- Finds out how the elements of an SVG look, from attributes, style attributes, style sheets and
+// inheritance.
+
+// The properties that decide whether and where an element is seen.
+enum class SvgProperty : std::uint8_t {
+  display,
+  visibility,
+  opacity,
+  fill,
+  fill_opacity,
+  stroke,
+  stroke_opacity,
+  stroke_width,
+  fill_rule,
+  transform,
+  transform_origin,
+  transform_box,
+  translate,
+  rotate,
+  scale,
+  x,
+  y,
+  cx,
+  cy,
+  r,
+  rx,
+  ry,
+  width,
+  height,
+  d,
+  count
+};
+inline constexpr auto svg_property_count = static_cast<std::size_t>(SvgProperty::count);
+
+// The values declared for one element; the value of a property that is not declared is empty.
+struct SvgDeclared {
+  std::array<std::string_view, svg_property_count> values;
+  std::string_view operator[](SvgProperty property) const {
+    return values[static_cast<std::size_t>(property)];
+  }
+};
+
+// The value declared for this attribute of a shape, such as its width, which may also be a style; of
+// `d`, the path without path(""). `otherwise` if there is none.
+std::string_view geometry_of(const SvgDeclared& declared, std::string_view attribute,
+                             std::string_view otherwise = {});
+
+// The look of an element, which the elements in it inherit.
+struct SvgLook {
+  bool visible = true;
+  bool fill = true, fill_opaque = true;
+  bool white = false;   // the fill is white
+  bool nonzero = true;  // the fill-rule is nonzero, not evenodd
+  bool stroke = false, stroke_opaque = true, stroke_wide = true;
+  bool is_filled() const { return fill && fill_opaque; }
+  bool is_white_page() const { return is_filled() && white && !is_stroked(); }
+  bool is_stroked() const { return stroke && stroke_opaque && stroke_wide; }
+};
+
+// Whether the element and all elements in it are hidden, because display is none or opacity is 0.
+bool hides_all(const SvgDeclared& declared);
+SvgLook inherited(SvgLook look, const SvgDeclared& declared);
+
+// A drawing's style sheets. The selectors `tag`, `.class`, `#id`, `tag.class`, `tag#id`, `*` and
+// lists of these are read; other selectors and at-rules are skipped. A declaration with
+// `!important` wins over all without it; otherwise the highest specificity wins, and then the last
+// declaration. Style sheets cannot be copied, since they contain views of their own text.
+class SvgStyles {
+ public:
+  SvgStyles() = default;
+  SvgStyles(const SvgStyles&) = delete;
+  SvgStyles& operator=(const SvgStyles&) = delete;
+
+  // Reads all <style> elements below the root that apply to screens. Returns false if there are
+  // more than most_declarations declarations. O(bytes log bytes).
+  static constexpr std::size_t most_declarations = std::size_t{1} << 18;
+  bool read(const pugi::xml_node& root);
+
+  // The values declared for this element, as views of the document and of these sheets, which must
+  // outlive the result. O(bytes of its attributes, times the logarithm of the number of
+  // declarations).
+  SvgDeclared of(const pugi::xml_node& node) const;
+
+  // Whether a rule with a skipped selector sets a fill or stroke. If so, shapes that seem to have
+  // no paint may have some.
+  bool skipped_paint() const { return skipped_paint_; }
+
+ private:
+  struct Selector {
+    std::string_view tag, id, name_of_class;
+    bool operator==(const Selector&) const = default;
+    bool operator<(const Selector& other) const {
+      return std::tie(tag, id, name_of_class) < std::tie(other.tag, other.id, other.name_of_class);
+    }
+  };
+  struct Declaration {
+    Selector selector;
+    SvgProperty property;
+    bool important;
+    std::uint32_t order;
+    std::string_view value;
+  };
+  class Cascade;
+
+  static std::optional<Selector> simple_selector(std::string_view text);
+  bool read_rules(std::string_view css);
+  bool read_rule(std::string_view selectors, std::string_view body);
+  void apply(const Selector& selector, Cascade& cascade) const;
+
+  std::string text_;                       // without comments
+  std::vector<Declaration> declarations_;  // sorted; one for each selector and property
+  bool skipped_paint_ = false;
+};
+
+// --- Reads the view box of an SVG and its size on paper.
+
+// The width and height to which lengths in per cent refer; either may be unknown.
+struct SvgViewport {
+  std::optional<double> width, height;
+};
+
+// The rectangle that is drawn, in user units. svg_view_box() returns nullopt if the text is not
+// four numbers.
+struct SvgViewBox {
+  Vec2 low, size;
+};
+std::optional<SvgViewBox> svg_view_box(std::string_view text);
+
+// Returns the map from `box`, in user units, to a rectangle of this size with a corner at the
+// origin. `aspect` is the value of preserveAspectRatio; if empty, it counts as "xMidYMid meet". The
+// sizes of both must be above 0. O(bytes).
+Affine fitted(const SvgViewBox& box, const Vec2& size, std::string_view aspect);
+
+// The attributes of the root element that give the drawing's size.
+struct SvgSize {
+  std::string_view width, height, view_box, aspect;
+};
+
+// The unit of a drawing on paper, and the factors from its user units to this unit. Without a size
+// on paper there is no unit, and the factors are 1. Without a view box, a user unit is 1/96 inch.
+// If a user unit is a millimetre, centimetre, inch or metre, up to the rounding of programs, this
+// is the unit, and the factors are 1. Otherwise the unit is that of the written size, or
+// millimetres if the size is in pt, pc or Q. paper_of() takes O(bytes).
+struct SvgPaper {
+  LengthUnit unit = LengthUnit::none;
+  double across = 1, down = 1;
+  SvgViewport viewport;  // in user units
+};
+SvgPaper paper_of(const SvgSize& size);
+
+// --- Gathers the visible shapes of one SVG.
 
 class SvgReader {
  public:

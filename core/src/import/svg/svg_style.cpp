@@ -1,4 +1,4 @@
-#include "import/svg/svg_style.h"
+#include "import/svg/svg_reader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,6 @@
 #include <optional>
 #include <tuple>
 
-#include "import/svg/svg_element.h"
-#include "import/svg/svg_values.h"
 #include "numbers/number_text.h"
 #include "numbers/text_cursor.h"
 

@@ -3,8 +3,6 @@
 #include <map>
 
 #include "evenlift/wording.h"
-#include "import/svg/svg_element.h"
-#include "import/svg/svg_entities.h"
 #include "import/svg/svg_reader.h"
 #include "numbers/text_cursor.h"
 

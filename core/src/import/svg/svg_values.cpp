@@ -1,4 +1,4 @@
-#include "import/svg/svg_values.h"
+#include "import/svg/svg_reader.h"
 
 #include <algorithm>
 #include <cmath>

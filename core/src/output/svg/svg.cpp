@@ -14,7 +14,6 @@
 #include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
-#include "output/svg/svg_caption.h"
 #include "output/svg/svg_parts.h"
 
 namespace evenlift {

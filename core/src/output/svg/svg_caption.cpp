@@ -1,11 +1,10 @@
-#include "output/svg/svg_caption.h"
+#include "output/svg/svg_parts.h"
 
 #include <string_view>
 #include <vector>
 
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/wording.h"
-#include "output/svg/svg_parts.h"
 
 namespace evenlift::svg {
 namespace {

@@ -3,7 +3,6 @@
 
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/words.h"
-#include "output/trace_words/step_captions.h"
 #include "output/trace_words/step_words.h"
 #include "output/words/listed.h"
 

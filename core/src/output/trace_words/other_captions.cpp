@@ -7,7 +7,6 @@
 
 #include "evenlift/output/words.h"
 #include "evenlift/stands.h"
-#include "output/trace_words/step_captions.h"
 #include "output/trace_words/step_words.h"
 #include "output/words/listed.h"
 

@@ -1,4 +1,4 @@
-#include "output/trace_words/pseudo_code.h"
+#include "output/trace_words/step_words.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,6 @@
 #include "evenlift/output/words.h"
 #include "evenlift/stands.h"
 #include "evenlift/wording.h"
-#include "output/trace_words/step_words.h"
-#include "output/trace_words/trace_text.h"
 
 namespace evenlift {
 namespace {

@@ -1,4 +1,4 @@
-#include "output/trace_words/step_captions.h"
+#include "output/trace_words/step_words.h"
 
 #include <algorithm>
 

@@ -11,7 +11,6 @@
 #include "evenlift/selection.h"
 #include "evenlift/stands.h"
 #include "evenlift/wording.h"
-#include "output/trace_words/step_captions.h"
 
 namespace evenlift {
 namespace {

@@ -6,7 +6,6 @@
 #include "evenlift/output/words.h"
 #include "evenlift/why_not.h"
 #include "output/trace_words/step_words.h"
-#include "output/trace_words/trace_text.h"
 #include "output/words/listed.h"
 
 namespace evenlift {

@@ -1,4 +1,4 @@
-#include "output/trace_words/trace_text.h"
+#include "output/trace_words/step_words.h"
 
 #include <algorithm>
 #include <cmath>
