@@ -558,3 +558,16 @@ TEST_CASE("DXF: a polyline in space that is not level is read from above, with a
   REQUIRE(slanted.notes.size() == 1);
   CHECK(slanted.notes[0] == "1 polyline in space is not level, and was read as seen from above");
 }
+
+TEST_CASE("DXF: lines that cross, so that nothing is enclosed, are named", "[import][dxf]") {
+  const auto line = [](double x1, double y1, double x2, double y2) {
+    return "0\nLINE\n10\n" + shortest(x1) + "\n20\n" + shortest(y1) + "\n11\n" + shortest(x2) +
+           "\n21\n" + shortest(y2) + "\n";
+  };
+  const std::string bow =
+      line(0, 0, 120, 80) + line(120, 80, 120, 0) + line(120, 0, 0, 80) + line(0, 80, 0, 0);
+  CHECK(
+      evenlift::testing::refusal("0\nSECTION\n2\nENTITIES\n" + bow + "0\nENDSEC\n0\nEOF\n") ==
+      "this DXF drawing has no closed outline: the line from (0, 0) to (120, 80) crosses that from (120, 0) to "
+      "(0, 80)");
+}

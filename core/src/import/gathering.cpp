@@ -6,6 +6,7 @@
 
 #include "evenlift/angles.h"
 #include "evenlift/numbers.h"
+#include "evenlift/predicates.h"
 #include "evenlift/wording.h"
 #include "formats/readers.h"
 #include "import/joining/joining.h"
@@ -320,6 +321,30 @@ std::string point_in_words(const Vec2& p) {
   return "(" + short_number(p.x) + ", " + short_number(p.y) + ")";
 }
 
+bool is_line(const DrawnPiece& piece) {
+  return piece.outline.pieces.size() == 1 && !piece.outline.curved();
+}
+
+// Names the first two lines that cross; empty if none do. Among the first few only, as all pairs are
+// compared.
+std::string crossing_in_words(const std::vector<DrawnPiece>& pieces) {
+  const std::size_t count = std::min<std::size_t>(pieces.size(), 500);
+  const auto parts = [](const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+    const double one = orient(a, b, c), other = orient(a, b, d);
+    return (one > 0 && other < 0) || (one < 0 && other > 0);
+  };
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count && is_line(pieces[i]); ++j) {
+      if (!is_line(pieces[j])) continue;
+      const Vec2 &a = pieces[i].outline.start, b = pieces[i].outline.end(),
+                 &c = pieces[j].outline.start, d = pieces[j].outline.end();
+      if (parts(a, b, c, d) && parts(c, d, a, b))
+        return say("the line from {a} to {b} crosses that from {c} to {d}",
+                   {point_in_words(a), point_in_words(b), point_in_words(c), point_in_words(d)});
+    }
+  return {};
+}
+
 }  // namespace
 
 void Gathering::add_joined(const std::vector<DrawnPiece>& pieces, bool closes_alone) {
@@ -351,6 +376,7 @@ void Gathering::add_joined(const std::vector<DrawnPiece>& pieces, bool closes_al
                         std::back_inserter(open));
     joining.open = std::move(open);
   }
+  if (joining.outlines.empty() && !joining.apart) gap_ = crossing_in_words(pieces);
   left_open_ = joining.greatest_open;
   for (const std::size_t piece : joining.open) keep_open(pieces[piece].outline);
   note_joining(joining);
