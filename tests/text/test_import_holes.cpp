@@ -457,6 +457,16 @@ TEST_CASE("a frame, by its layer or by parts with holes in it, is no plate", "[i
     CHECK(sheets(read(dxf(on_layer(layer, frame) + on_layer("PART", part)))) == 1);
   }
   CHECK(sheets(read(dxf(on_layer("Framework", frame) + on_layer("PART", part)))) == 0);
+  // A plate with its hole, both on one layer, is a plate whatever the layer's name.
+  const Import plate = read(dxf(on_layer("FRAME", frame) + on_layer("FRAME", part)));
+  REQUIRE(plate.shapes.size() == 1);
+  CHECK_FALSE(plate.shapes[0].sheet);
+  CHECK(plate.shapes[0].document.holes.size() == 1);
+  // If the hole is on a layer of its own, the sheet can still be chosen, with the hole.
+  const Import apart = read(dxf(on_layer("FRAME", frame) + on_layer("CUT", part)));
+  REQUIRE(apart.shapes.size() == 2);
+  CHECK(apart.shapes[1].sheet);
+  CHECK(apart.shapes[1].document.holes.size() == 1);
   // Without a name, a part with a hole of its own tells it; the parts are then its holes, too.
   const Import nested =
       read(dxf(frame + part + circle(100, 100, 20) + polyline(square_at(200, 200, 50))));

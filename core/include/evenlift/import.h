@@ -135,10 +135,10 @@ struct Import {
 // in a hole. Outlines that touch or cross are separate shapes.
 //
 // A rectangle that encloses all else in a drawing is its sheet, not a part, if it is painted white
-// without a stroke; if its layer or name is one such as frame, border, title block or Rahmen; if it is
-// as large as the SVG's view box, with more than holes in it; or if several outlines lie in it, one of
+// without a stroke; if its layer or name is one such as frame, border, title block or Rahmen, and
+// other outlines have another; if it is as large as the SVG's view box, with more than holes in it; or if several outlines lie in it, one of
 // them with a hole of its own. What lies on the sheet is then read as if the sheet were not there, and
-// the sheet comes last. In the last two cases, lines that lie directly on it are also its holes.
+// the sheet comes last. Lines that lie directly on it are also its holes, unless it is filled and told by its paint or name.
 // Several sheets may lie in each other.
 //
 // A vertex that equals the preceding one is dropped, with a note unless the text is a drawing. The

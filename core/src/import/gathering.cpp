@@ -427,7 +427,7 @@ void Gathering::name_parts(const std::vector<OutlineWithHoles>& shapes) {
 
 namespace {
 
-// Layers and names of sheets, as whole words or at the beginning of one.
+// Layers and names of sheets, as whole words.
 bool names_sheet(std::string_view name) {
   static constexpr std::string_view words[] = {"frame",
                                                "border",
@@ -492,12 +492,18 @@ bool is_of_size(const Points& outline, const std::optional<Vec2>& paper) {
 }  // namespace
 
 void Gathering::nest_outlines() {
+  // A name tells a sheet only from outlines of another name: a plate and its holes may all be on one
+  // layer, whatever its name.
+  const auto& all = import.shapes;
+  const bool names_differ = std::any_of(all.begin(), all.end(), [&](const ImportedShape& shape) {
+    return shape.name != all.front().name;
+  });
   std::vector<ClosedOutline> outlines;
   for (std::size_t i = 0; i < import.shapes.size(); ++i) {
     const ImportedShape& shape = import.shapes[i];
     const Document& document = shape.document;
     outlines.push_back({&document.vertices, &document.holes, drawn_[i].filled,
-                        drawn_[i].white || names_sheet(shape.name),
+                        drawn_[i].white || (names_differ && names_sheet(shape.name)),
                         is_of_size(document.vertices, paper)});
   }
   const Nesting nesting = nest(outlines);

@@ -1,9 +1,11 @@
-// Recognizes tables that list other things than vertices.
+// Kinds of tables and files that are not read.
 #pragma once
 
 #include <string_view>
 
 namespace evenlift {
+
+// --- Recognizes tables that list other things than vertices.
 
 // A sentence that says what the rows of the table are, and what to do; null if the text is no table,
 // or may be one of vertices. `beginning` may end within a line. O(beginning).

@@ -1,4 +1,4 @@
-// The groups of a DXF text. A group is a pair of lines: a code and a value.
+// DXF drawings: groups, objects, units, layers, blocks, letters and outlines.
 #pragma once
 
 #include <cmath>
@@ -16,6 +16,8 @@
 #include "evenlift/vec.h"
 
 namespace evenlift {
+
+// --- The groups of a DXF text. A group is a pair of lines: a code and a value.
 
 struct DxfGroup {
   int code;

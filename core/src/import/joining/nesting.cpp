@@ -241,8 +241,10 @@ Nesting nest(const std::vector<ClosedOutline>& outlines) {
   }
   for (std::size_t i = sheets.size(); i-- > 0;) {
     OutlineWithHoles sheet{kept[i].number, {}};
+    // Whoever chooses it all the same has a plate, except for a page that is painted.
+    const bool is_page = outlines[sheet.outline].looks_like_sheet && kept[i].role != Role::line;
     for (std::size_t j = i + 1; j < kept.size(); ++j)
-      if (!outlines[sheet.outline].looks_like_sheet && around[j] == i && kept[j].role == Role::line)
+      if (!is_page && around[j] == i && kept[j].role == Role::line)
         sheet.holes.push_back(kept[j].number);
     nesting.shapes.push_back(std::move(sheet));
   }

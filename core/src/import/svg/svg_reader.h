@@ -1,4 +1,4 @@
-// Names and attributes of SVG elements.
+// SVG drawings: elements, entities, attributes, styles, paper, and their reader.
 #pragma once
 
 #include <array>
@@ -22,6 +22,8 @@
 #include "import/gathering.h"
 
 namespace evenlift {
+
+// --- Names and attributes of SVG elements.
 
 // The name without its prefix: "href" for "xlink:href".
 inline std::string_view without_prefix(std::string_view name) {

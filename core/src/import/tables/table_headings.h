@@ -1,5 +1,4 @@
-// Splits a table into lines and cells. The table may be CSV, cells copied from a spreadsheet, or
-// lines "x, y".
+// Tables: lines, cells, and what headings mean.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +10,9 @@
 #include "evenlift/document.h"
 
 namespace evenlift {
+
+// --- Splits a table into lines and cells. The table may be CSV, cells copied from a spreadsheet, or
+// lines "x, y".
 
 using Fields = std::vector<std::string_view>;
 
