@@ -16,11 +16,6 @@
 namespace evenlift::native {
 namespace {
 
-bool is_overloaded(const Reported& of, std::size_t robot) {
-  const std::vector<std::size_t>& all = of.report.overloaded;
-  return std::find(all.begin(), all.end(), robot) != all.end();
-}
-
 std::string robot_table(const Reported& of, const LoadColumn& loads) {
   const Placement& placement = of.placement;
   const Report& report = of.report;
@@ -39,7 +34,7 @@ std::string robot_table(const Reported& of, const LoadColumn& loads) {
                          team.robots[i].point.edge == beneath ? "beneath" : "at the edge");
     if (report.has_own_capacities)
       rows.back().push_back(report.capacities[i] ? plain(*report.capacities[i]) : "-");
-    if (report.has_capacities) rows.back().push_back(is_overloaded(of, i) ? "yes" : "-");
+    if (report.has_capacities) rows.back().push_back(of.report.is_overloaded(i) ? "yes" : "-");
   }
   return table(rows);
 }
@@ -54,7 +49,7 @@ std::string team_table(const Reported& of, const LoadColumn& loads) {
     const TeamInWords team = team_in_words(placement, i, decimals);
     rows.push_back({std::to_string(i + 1), team.ratio, team.at[0], loads.text[2 * i], team.at[1],
                     loads.text[2 * i + 1]});
-    const bool first = is_overloaded(of, 2 * i), second = is_overloaded(of, 2 * i + 1);
+    const bool first = of.report.is_overloaded(2 * i), second = of.report.is_overloaded(2 * i + 1);
     if (of.report.has_capacities)
       rows.back().push_back(first && second ? "both" : first ? "first" : second ? "second" : "-");
   }

@@ -53,8 +53,9 @@ CapacityPlan plan_by_trying(Document document, double capacity, std::uint32_t mo
 // page shows; infinite if a failure drops the object.
 double greatest_with_failures(const ShownPlacement& of) {
   double greatest = 0;
-  const bool tips = tips_when_disturbed(of);
-  for (const LoadRange& load : loads_when_disturbed(of))
+  const Report report = report_of(of);
+  const bool tips = report.tips;
+  for (const LoadRange& load : report.planned)
     greatest = std::max(greatest, tips ? of.placement.loads->max : load.greatest);
   for (const auto& rest : single_failures(of.placement, disturbance_of(of.shown)))
     greatest = std::max(greatest,

@@ -32,7 +32,7 @@ class Lifted {
 
   ShownPlacement of() const { return {*placement, document.shown}; }
   Tilt tilt() const { return report_of(of()).tilt.value(); }
-  std::vector<LoadRange> loads() const { return loads_when_disturbed(of()); }
+  std::vector<LoadRange> loads() const { return report_of(of()).planned; }
   bool may_let_go() const {
     return evenlift::may_let_go(LoadModel::plan, *placement,
                                 model_loads(*placement, disturbance_of(document.shown)));

@@ -212,7 +212,7 @@ namespace {
 // The overloaded robots and the number needed, at a constant height so that nothing below moves.
 void draw_need(const Ui& ui) {
   const Derived& facts = ui.state.derived();
-  const CapacityPlan* plan = facts.plan && !facts.plan_due ? &*facts.plan : nullptr;
+  const std::optional<CapacityPlan>& plan = facts.report.plan;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   // The verdict names overloaded robots, unless one has failed.
   text_block(Face::label, ui.theme.second_text,

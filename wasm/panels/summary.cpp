@@ -16,8 +16,7 @@ namespace evenlift::view {
 bool is_overloaded(const AppState& state) { return !state.derived().report.overloaded.empty(); }
 
 bool is_overloaded(const AppState& state, std::size_t robot) {
-  const std::vector<std::size_t>& all = shown_report(state).overloaded;
-  return std::find(all.begin(), all.end(), robot) != all.end();
+  return shown_report(state).is_overloaded(robot);
 }
 
 namespace {

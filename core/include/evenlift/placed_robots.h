@@ -88,11 +88,6 @@ bool may_let_go(LoadModel model, const Placement& placement,
 std::vector<LoadRange> shown_loads(const Placement& placement, LoadModel model,
                                    const std::optional<ModelLoads>& models, bool tips);
 
-// Returns the planned loads for verdicts, requirements and capacities. They are ranges if there is
-// a disturbance (disturbance_of()), unless the object tips under it. O(m); with a disturbance, the
-// cost of model_loads().
-std::vector<LoadRange> loads_when_disturbed(const ShownPlacement& of);
-
 // The failures and the error of C that the object survives without tipping, if robots push back and
 // none is overloaded. failures.h defines the numbers of failures, which are -1 without robots;
 // uncertainty.h defines the tipping distance. O(m log m).
@@ -108,11 +103,6 @@ Robustness robustness(const Placement& placement);
 // Returns the effect of the given conditions (disturbance_of() of tilt.h) on the placed robots
 // (uncertainty.h). O(m log m).
 DisturbanceEffect effect_on(const ShownPlacement& of);
-
-// Returns whether the object can tip under the given conditions, that is, whether they may move the
-// weight out of the lifting base by more than tau L. It returns false if there are no robots.
-// O(m log m).
-bool tips_when_disturbed(const ShownPlacement& of);
 
 // Returns the least press downward at q, a vertical force at the height of the lifting points, that
 // tips the object under the given conditions: the least of weight * (d_e - reach) / (distance of q

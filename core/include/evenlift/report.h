@@ -2,6 +2,7 @@
 // read a report and compute nothing.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -29,7 +30,7 @@ struct Report {
   Asked known;  // what was asked for so far
 
   // The given conditions, what they amount to for these robots (uncertainty.h), and whether the
-  // object can tip under them (tips_when_disturbed()).
+  // object can tip under them: whether they may move the weight out of the lifting base by more than tau L.
   Disturbance disturbance;
   DisturbanceEffect effect;
   bool tips = false;
@@ -51,7 +52,7 @@ struct Report {
   // The same with robots that are off (with_inaccuracy()); only if `models` are asked for.
   std::optional<ModelLoads> inexact_models;
   std::vector<LoadRange>
-      planned;  // as planned, under the given conditions (loads_when_disturbed())
+      planned;  // as planned, under the given conditions, or without them if it tips
   // As shown (shown_loads()): by the model that was asked for, or as planned if the object falls.
   LoadModel model = LoadModel::plan;
   std::vector<LoadRange> loads;
@@ -83,6 +84,11 @@ struct Report {
 
   std::vector<std::optional<RestOfRobots>> failures;  // one for each robot, or empty
   std::vector<bool> overloads_after;                  // overloads_after(); empty without capacities
+
+  // Whether the robot carries more than its capacity by the loads that are shown.
+  bool is_overloaded(std::size_t robot) const {
+    return std::binary_search(overloaded.begin(), overloaded.end(), robot);
+  }
 
   // If the placement is that after a failure (with_failure()), the robot that failed.
   std::optional<std::size_t> failed;

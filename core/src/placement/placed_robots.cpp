@@ -293,12 +293,6 @@ bool may_let_go(LoadModel model, const Placement& placement,
          evenlift::may_let_go(loads_of(model, placement, models), changes_of(model, *models));
 }
 
-std::vector<LoadRange> loads_when_disturbed(const ShownPlacement& of) {
-  const Disturbance disturbance = disturbance_of(of.shown);
-  const auto models = disturbance.any() ? model_loads(of.placement, disturbance) : std::nullopt;
-  return shown_loads(of.placement, LoadModel::plan, models, models && tips_when_disturbed(of));
-}
-
 std::vector<LoadRange> shown_loads(const Placement& placement, LoadModel model,
                                    const std::optional<ModelLoads>& models, bool tips) {
   if (models && has_ranges(model) && tips) return single(loads_of(model, placement, models));
@@ -332,15 +326,6 @@ Robustness robustness(const Placement& placement) {
 DisturbanceEffect effect_on(const ShownPlacement& of) {
   return effect_on(positions_of_all(of.placement), of.placement.centre_of_mass,
                    diameter(of.placement), disturbance_of(of.shown));
-}
-
-bool tips_when_disturbed(const ShownPlacement& of) {
-  const Placement& placement = of.placement;
-  const double size = diameter(placement);
-  return !placement.teams.empty() &&
-         !is_within_base(effect_on(of).reach,
-                         tipping_distance(placement.lifting_base, placement.centre_of_mass, size),
-                         size);
 }
 
 double tipping_force(const ShownPlacement& of, const Vec2& q) {

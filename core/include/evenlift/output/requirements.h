@@ -39,7 +39,7 @@ namespace evenlift {
 //                      (Report::worst)
 //
 // The first five are true or false. `capacity`, `max`, `min` and `use` refer to the planned loads or,
-// under a disturbance, to the ends of their ranges (loads_when_disturbed()). If the object falls,
+// under a disturbance, to the ends of their ranges (Report::planned). If the object falls,
 // or can tip under the disturbance, conditions on these quantities are not met.
 struct Condition {
   std::string_view quantity;  // one of these names
