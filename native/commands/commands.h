@@ -1,4 +1,4 @@
-// The commands, one file each. They receive the arguments after their name. A command throws
+// The commands. They receive the arguments after their name. A command throws
 // Failure if its exit status is not 0. Before that, it writes to standard output only in the cases
 // that cli.md names under "Exit status and errors".
 #pragma once

@@ -1,5 +1,4 @@
-// The folder of an experiment. Its subfolder parts/ has a file with the Part (results.h) of each
-// finished polygon, and a list of the polygons of each finished shard (shard_list.h).
+// Runs an experiment over a folder, and writes its report.
 #pragma once
 
 #include <optional>
@@ -14,6 +13,9 @@
 #include "input/files.h"
 
 namespace evenlift::native {
+
+// --- The folder of an experiment. Its subfolder parts/ has a file with the Part (results.h) of each
+// finished polygon, and a list of the polygons of each finished shard (shard_list.h).
 
 class ExperimentFolder {
  public:

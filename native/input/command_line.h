@@ -1,3 +1,4 @@
+// Command lines, and failures with their exit status.
 #pragma once
 
 #include <map>

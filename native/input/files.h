@@ -1,4 +1,4 @@
-// Selects the shapes of a file, and reports how they are read.
+// Files, and the shapes in them.
 #pragma once
 
 #include <optional>
@@ -11,6 +11,8 @@
 #include "input/command_line.h"
 
 namespace evenlift::native {
+
+// --- Selects the shapes of a file, and reports how they are read.
 
 struct ShapeOptions {
   std::optional<std::string> shape, flatten, join, holes;

@@ -1,3 +1,4 @@
+// Lessons, and links that learners hand in.
 #pragma once
 
 #include <cstdint>

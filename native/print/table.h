@@ -1,3 +1,4 @@
+// Tables, among them the loads and failures of `place`.
 #pragma once
 
 #include <optional>

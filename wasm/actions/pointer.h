@@ -1,10 +1,12 @@
-// Moves parts of the drawing with the arrow keys.
+// What arrow keys, the pointer and fingers do to the drawing.
 #pragma once
 
 #include "state/command.h"
 #include "state/state.h"
 
 namespace evenlift::view {
+
+// --- Moves parts of the drawing with the arrow keys.
 
 // Moves the drawing cursor to the next dot of the grid or, if `finely`, by about a pixel. If there
 // is neither a cursor nor a drawn vertex, only shows the cursor. x and y are -1, 0 or 1, and one of

@@ -1,5 +1,4 @@
-// The first sample, embedded so that it is available at once; the other samples are in a file. The
-// build makes the embedded text from assets/polygons.
+// What the page opens first, and lessons.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +10,9 @@
 #include "state/state.h"
 
 namespace evenlift::view {
+
+// --- The first sample, embedded so that it is available at once; the other samples are in a file. The
+// build makes the embedded text from assets/polygons.
 
 std::string_view opening_sample();
 

@@ -1,4 +1,4 @@
-// Derives the consequences of commands, or of functions called in place of commands.
+// Applies commands, and derives their consequences.
 #pragma once
 
 #include <optional>
@@ -12,6 +12,8 @@
 #include "state/state.h"
 
 namespace evenlift::view {
+
+// --- Derives the consequences of commands, or of functions called in place of commands.
 
 // Derives the facts (derive/derive.h). Then updates the open step and the announcement of a
 // refusal. If the robots' size changed, the view will fit the window again unless the user has

@@ -1,3 +1,4 @@
+// The canvas: its pictures, the line at its foot, and steps of the walkthrough.
 #pragma once
 
 #include <string>

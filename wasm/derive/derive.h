@@ -1,7 +1,4 @@
-// Texts that pass robots between the page and the search for balanced robots, bit for bit. Each
-// robot is the number of an edge and two coordinates, separated by spaces. The text of a plan for
-// failures is the number of robots and the greatest load of a robot or, if no plan was found, only
-// the greatest number of robots tried.
+// Derives what follows from the state: placements, reports, searches and offers.
 #pragma once
 
 #include <cstddef>
@@ -20,6 +17,11 @@
 #include "state/state.h"
 
 namespace evenlift::view {
+
+// --- Texts that pass robots between the page and the search for balanced robots, bit for bit. Each
+// robot is the number of an edge and two coordinates, separated by spaces. The text of a plan for
+// failures is the number of robots and the greatest load of a robot or, if no plan was found, only
+// the greatest number of robots tried.
 
 std::string robots_text(const std::vector<LiftingPoint>& robots);
 

@@ -1,4 +1,4 @@
-// The visible part of the plane.
+// Edits as a whole and their undo, opening documents, and what is in sight.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,8 @@
 #include "state/work.h"
 
 namespace evenlift::view {
+
+// --- The visible part of the plane.
 
 // From now on, the view fits the window, until the user pans or zooms.
 void fit_view(AppState& state);

@@ -1,4 +1,4 @@
-// Robots that the user places by hand (the method `given`).
+// Changes of robots, vertices, weights, drawn shapes, and of the picture behind them.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,8 @@
 #include "state/state.h"
 
 namespace evenlift::view {
+
+// --- Robots that the user places by hand (the method `given`).
 
 // Returns `settings` with the method `given`, and with the placement's robots as supports at their
 // present places, whichever method placed them.

@@ -1,4 +1,4 @@
-// Draws the weights and, once there are any, the object's own centre of mass.
+// Everything of a fixed size on a picture.
 #pragma once
 
 #include <array>
@@ -12,6 +12,8 @@
 #include "picture/painter.h"
 
 namespace evenlift::view {
+
+// --- Draws the weights and, once there are any, the object's own centre of mass.
 
 // The disc of a weight, in pixels. Its area shows the weight's share of the total weight, as far as
 // the least and greatest size allow.

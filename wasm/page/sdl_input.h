@@ -1,5 +1,4 @@
-// Carries out the view's requests through web/page/bindings.js. Only the folder `page` calls the
-// browser.
+// The browser: requests to it, and input from it.
 #pragma once
 
 #include <SDL.h>
@@ -12,6 +11,9 @@
 #include "state/session.h"
 
 namespace evenlift::view::browser {
+
+// --- Carries out the view's requests through web/page/bindings.js. Only the folder `page` calls the
+// browser.
 
 // Carries out the requests in order.
 void carry_out(const Effects& effects);

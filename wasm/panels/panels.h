@@ -1,5 +1,4 @@
-// Shows an action (actions.h) as a button or as a row of an open list. A button shows the icon of
-// the action and, on hovering, its name and key.
+// The panels, and what their rows share.
 #pragma once
 
 #include <optional>
@@ -10,6 +9,9 @@
 #include "ui/ui.h"
 
 namespace evenlift::view {
+
+// --- Shows an action (actions.h) as a button or as a row of an open list. A button shows the icon of
+// the action and, on hovering, its name and key.
 
 void action_button(const Ui& ui, ActionId id, float size);
 

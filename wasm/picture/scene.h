@@ -1,6 +1,4 @@
-// The heat map shows, for each point outside the lifting base, the least downward press there that
-// tips the object under the given conditions (tilt.h), if the robots push back and none is
-// overloaded.
+// The heat map, and what the canvas keeps from frame to frame.
 #pragma once
 
 #include <cstddef>
@@ -14,6 +12,10 @@
 #include "ui/theme.h"
 
 namespace evenlift::view {
+
+// --- The heat map shows, for each point outside the lifting base, the least downward press there that
+// tips the object under the given conditions (tilt.h), if the robots push back and none is
+// overloaded.
 
 // The part of the object, without its holes, where only a downward press of at least `share` times
 // the weight (with cargo) tips it. The innermost band has an infinite share: under the same

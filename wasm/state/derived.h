@@ -1,5 +1,4 @@
-// Opens documents. Opening a document also computes its placement, because that validates the
-// document. Callers pass the placement on (Given), so that nothing is computed twice.
+// Opened documents, and the derived part of the state.
 #pragma once
 
 #include <cstddef>
@@ -17,6 +16,9 @@
 #include "state/view_state.h"
 
 namespace evenlift::view {
+
+// --- Opens documents. Opening a document also computes its placement, because that validates the
+// document. Callers pass the placement on (Given), so that nothing is computed twice.
 
 struct Opened {
   Document document;

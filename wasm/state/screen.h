@@ -1,5 +1,4 @@
-// Sends messages: to the browser, to users who cannot see the canvas, and in a notice over the
-// drawing.
+// Messages, the size of the screen, and what the camera shows.
 #pragma once
 
 #include <string>
@@ -7,6 +6,9 @@
 #include "state/state.h"
 
 namespace evenlift::view {
+
+// --- Sends messages: to the browser, to users who cannot see the canvas, and in a notice over the
+// drawing.
 
 // Appends an effect, which the page carries out after the present commands.
 void emit(AppState& state, Effect effect);

@@ -1,5 +1,4 @@
-// The view's requests to the browser. Commands and derive() append requests, and page/sdl_input.cpp
-// carries them out afterwards, in order.
+// Requests to the browser, and the state of this visit.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +10,9 @@
 #include "state/camera.h"
 
 namespace evenlift::view {
+
+// --- The view's requests to the browser. Commands and derive() append requests, and page/sdl_input.cpp
+// carries them out afterwards, in order.
 
 // The page's own windows. They are HTML, so that users can type and choose files, and screen
 // readers can read lists.

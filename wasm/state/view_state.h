@@ -1,4 +1,4 @@
-// A part of the drawing, and the answer to "why here?" about it.
+// The view: explained parts, the walkthrough, and tools.
 #pragma once
 
 #include <array>
@@ -22,6 +22,8 @@
 #include "state/camera.h"
 
 namespace evenlift::view {
+
+// --- A part of the drawing, and the answer to "why here?" about it.
 
 // A part of the drawing that is under the pointer or held.
 struct Pick {

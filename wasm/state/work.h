@@ -1,5 +1,4 @@
-// Unlimited undo and redo. Documents are kept whole; documents that differ only in settings share
-// their vertices. The page keeps the newest steps in the browser.
+// The history, and the work that it holds.
 #pragma once
 
 #include <cstddef>
@@ -14,6 +13,9 @@
 #include "evenlift/vec.h"
 
 namespace evenlift::view {
+
+// --- Unlimited undo and redo. Documents are kept whole; documents that differ only in settings share
+// their vertices. The page keeps the newest steps in the browser.
 
 // The kinds of edits. The browser keeps their numbers, so a new kind goes at the end. For a setting
 // without a kind, the number is `edit_of_records` + SettingRow::record of this setting.

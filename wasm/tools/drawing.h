@@ -1,4 +1,4 @@
-// The polygon or the hole being drawn: its points and edges, and the click that closes it.
+// Tools: drawing a shape, the brush, ways along the outline, and places for robots.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +13,8 @@
 #include "state/state.h"
 
 namespace evenlift::view {
+
+// --- The polygon or the hole being drawn: its points and edges, and the click that closes it.
 
 // The distance from the first vertex within which a press closes the polygon, in pixels.
 inline constexpr double closing_reach = 14;

@@ -1,6 +1,4 @@
-// The handles of a document are the points that the user selects, drags, nudges and removes. They
-// are numbered in one sequence: the vertices of the outline, then those of each hole, then the
-// weights. An edge has the number of the vertex at which it begins.
+// Handles, and what is under the pointer.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +11,10 @@
 #include "state/view_state.h"
 
 namespace evenlift::view {
+
+// --- The handles of a document are the points that the user selects, drags, nudges and removes. They
+// are numbered in one sequence: the vertices of the outline, then those of each hole, then the
+// weights. An edge has the number of the vertex at which it begins.
 
 struct Handle {
   bool is_weight = false;

@@ -1,4 +1,4 @@
-// Converts coordinates and points to Dear ImGui's points, which are stored as floats.
+// Colours and typefaces, letters, and points for Dear ImGui.
 #pragma once
 
 #include <imgui.h>
@@ -10,6 +10,8 @@
 #include "state/state.h"
 
 namespace evenlift::view {
+
+// --- Converts coordinates and points to Dear ImGui's points, which are stored as floats.
 
 inline ImVec2 vec(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 inline ImVec2 vec(const Vec2& p) { return vec(p.x, p.y); }

@@ -1,4 +1,4 @@
-// Answers "Why not this one?" at a point of the drawing.
+// The walkthrough: steps, scripts, questions, answers and explanations.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,8 @@
 #include "state/view_state.h"
 
 namespace evenlift::view {
+
+// --- Answers "Why not this one?" at a point of the drawing.
 
 // For balanced robots, explains why no robot stands at the nearest place of the boundary. For
 // teams, explains why the candidate near the point, or else the chord through it, was not chosen.

@@ -1,5 +1,4 @@
-// Buttons return true when pressed. `id` is unique within the window, and `about` is the tip. A
-// disabled button is drawn faintly and does nothing.
+// Buttons, cards and chips.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +10,9 @@
 #include "widgets/fields.h"
 
 namespace evenlift::view {
+
+// --- Buttons return true when pressed. `id` is unique within the window, and `about` is the tip. A
+// disabled button is drawn faintly and does nothing.
 
 bool icon_button(const Ui& ui, const char* id, Icon icon, bool enabled, const char* about,
                  float size, Pressed on = {});

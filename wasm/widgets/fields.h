@@ -1,4 +1,4 @@
-// The parts that all controls share: a pressable area, and the entry in the list of controls.
+// Fields, sliders, and what all controls share.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,8 @@
 #include "ui/ui.h"
 
 namespace evenlift::view {
+
+// --- The parts that all controls share: a pressable area, and the entry in the list of controls.
 
 // A pressable area at Dear ImGui's cursor, in pixels.
 struct Area {

@@ -1,4 +1,4 @@
-// Draws texts on cards, and the rules that separate them.
+// Texts, and lists from which the user chooses.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,8 @@
 #include "ui/ui.h"
 
 namespace evenlift::view {
+
+// --- Draws texts on cards, and the rules that separate them.
 
 // Draws a label, with a tip, at the left of its control. Moves Dear ImGui's cursor to the control's
 // place, and returns the remaining width.

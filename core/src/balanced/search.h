@@ -1,6 +1,4 @@
-// The convex hull of a few robots, relative to C. It is computed in plain doubles and without
-// allocation, since the search computes the coverage of thousands of sets. The hull may have
-// corners that exist only through rounding; they hardly change its area.
+// The search for balanced robots (balanced.h): hulls and coverage, trial points, rules, starts and swaps.
 #pragma once
 
 #include <array>
@@ -21,6 +19,10 @@
 #include "polygon/corners.h"
 
 namespace evenlift::balanced {
+
+// --- The convex hull of a few robots, relative to C. It is computed in plain doubles and without
+// allocation, since the search computes the coverage of thousands of sets. The hull may have
+// corners that exist only through rounding; they hardly change its area.
 
 struct SmallHull {
   std::array<Vec2, most_robots> corners;  // counter-clockwise

@@ -1,4 +1,4 @@
-// Whether two edges face each other across C, without a sweep over all edges.
+// The candidates of edge pairs: facing edges, the cases, ranges, and even chords about many centres.
 #pragma once
 
 #include <algorithm>
@@ -17,6 +17,8 @@
 #include "polygon/corners.h"
 
 namespace evenlift {
+
+// --- Whether two edges face each other across C, without a sweep over all edges.
 
 // The edge pair in which rays from C meet edge `a` and the opposite rays meet edge `b`. Returns
 // nothing if the edges do not face each other (an exact test, as in edge_pairs()), or if the line

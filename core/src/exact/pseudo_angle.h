@@ -1,5 +1,4 @@
-// Converts doubles to their bits and back, without std::bit_cast, which older versions of
-// Emscripten lack.
+// Bits of doubles, double-double arithmetic, and pseudo-angles.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +12,9 @@
 #include "evenlift/vec.h"
 
 namespace evenlift {
+
+// --- Converts doubles to their bits and back, without std::bit_cast, which older versions of
+// Emscripten lack.
 
 static_assert(std::numeric_limits<double>::is_iec559 && sizeof(double) == 8);
 

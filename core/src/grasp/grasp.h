@@ -1,4 +1,4 @@
-// Finds the contacts of robots with an object, and the distances of these contacts from corners.
+// Contacts, margins and levels of holds, and holds with robots that are off.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +12,8 @@
 #include "polygon/corners.h"
 
 namespace evenlift {
+
+// --- Finds the contacts of robots with an object, and the distances of these contacts from corners.
 
 class ContactFinder {
  public:

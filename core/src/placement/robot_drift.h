@@ -1,4 +1,4 @@
-// Completes a placement, and moves its robots.
+// Completes placements, finds an accuracy with room, and follows robots that are off.
 #pragma once
 
 #include <optional>
@@ -8,6 +8,8 @@
 #include "robustness/support.h"
 
 namespace evenlift {
+
+// --- Completes a placement, and moves its robots.
 
 // Computes all values that follow from the teams, such as loads and coverage. O(n log n).
 void describe_grasp(Placement& placement);

@@ -1,4 +1,4 @@
-// Corners of a hull that only rounding makes.
+// Walks along outlines and their corners, clipping, areas in hulls, trees of edges, sweeps over rings.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +15,8 @@
 #include "exact/sorted_indices.h"
 
 namespace evenlift {
+
+// --- Corners of a hull that only rounding makes.
 
 // Whether only rounding makes a corner between two others: it is within `flat` of either, or on the
 // side between them, within tau of its length. O(1).

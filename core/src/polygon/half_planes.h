@@ -1,4 +1,4 @@
-// Finds the intersection of half-planes, which may be unbounded, by exact predicates.
+// Intersections of half-planes; areas and centroids of rings.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +7,8 @@
 #include "evenlift/vec.h"
 
 namespace evenlift {
+
+// --- Finds the intersection of half-planes, which may be unbounded, by exact predicates.
 
 // All points q with (to - from) . q <= bound. Predicates use the exact difference of `to` and
 // `from`, which normal() rounds.

@@ -1,4 +1,4 @@
-// The size on which the tolerance for robots far from the origin is based.
+// Frames of robots, those that can carry, the best load, and errors of loads.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +10,8 @@
 #include "evenlift/vec.h"
 
 namespace evenlift {
+
+// --- The size on which the tolerance for robots far from the origin is based.
 
 // Returns L, or more if rounding of large coordinates moves a robot by more than tau L, as for an
 // object of size 10 at coordinates of 1e9. In that case the two robots of a team and C are

@@ -1,4 +1,4 @@
-// The rules by which teams are chosen. The walkthrough explains each choice by them.
+// The greedy choice of teams: rules, bounds of gains, gains, the growing base, and the choice.
 #pragma once
 
 #include <algorithm>
@@ -23,6 +23,8 @@
 #include "selection/max_tree.h"
 
 namespace evenlift {
+
+// --- The rules by which teams are chosen. The walkthrough explains each choice by them.
 
 enum class Key : std::uint8_t { score, ratio, length };
 

@@ -1,5 +1,4 @@
-// The open ranges where the robot's body, arm or hand would meet another edge (docs/stands.md,
-// Where an edge can be used, conditions 1 to 3).
+// What edges lose to bodies, arms, hands, no-go parts and corners.
 #pragma once
 
 #include <array>
@@ -17,6 +16,9 @@
 #include "polygon/corners.h"
 
 namespace evenlift {
+
+// --- The open ranges where the robot's body, arm or hand would meet another edge (docs/stands.md,
+// Where an edge can be used, conditions 1 to 3).
 
 // Another edge in the frame of the robot's edge: x runs along the robot's edge from its first
 // vertex, y away from the object.

@@ -1,4 +1,4 @@
-// The margin of robots in a trace.
+// The tables of steps, and the functions in their rows.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +13,8 @@
 #include "evenlift/trace.h"
 
 namespace evenlift {
+
+// --- The margin of robots in a trace.
 
 // The margin (closure.h) of robots that lift at these points. Only contacts far enough from corners
 // count; nullopt if there are no such contacts.

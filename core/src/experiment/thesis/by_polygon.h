@@ -1,4 +1,4 @@
-// Writes tables in Markdown.
+// Tables, sentences and claims about chapter 5 of the thesis.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,8 @@
 #include "evenlift/experiment/claims.h"
 
 namespace evenlift::experiment::markdown {
+
+// --- Writes tables in Markdown.
 
 // A cell that shows the text. Since names may contain any characters, the special characters of
 // HTML and Markdown are escaped, and control characters become spaces.

@@ -1,4 +1,4 @@
-// Finds the points near a place or a segment by means of a square grid.
+// Joins pieces of drawings into outlines, and finds which outlines are holes.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +15,8 @@
 #include "evenlift/vec.h"
 
 namespace evenlift {
+
+// --- Finds the points near a place or a segment by means of a square grid.
 
 class PointGrid {
  public:

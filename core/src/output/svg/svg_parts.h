@@ -1,4 +1,4 @@
-// The picture's colours, and its sizes in CSS pixels at the picture's natural size.
+// The parts of an SVG picture.
 #pragma once
 
 #include <optional>
@@ -11,6 +11,8 @@
 #include "evenlift/vec.h"
 
 namespace evenlift::svg {
+
+// --- The picture's colours, and its sizes in CSS pixels at the picture's natural size.
 
 inline constexpr double largest_width = 720, largest_height = 520;    // of the object
 inline constexpr double smallest_width = 680, smallest_height = 300;  // of the ground around it

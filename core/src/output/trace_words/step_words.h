@@ -1,6 +1,4 @@
-// Writes the walkthrough's sentences. A piece of a sentence holds a few numbers until one function,
-// written(), turns them into text. Building strings at each place took a third of the walkthrough's
-// code.
+// The words of the walkthrough: sentences, captions, pseudo-code and formulas.
 #pragma once
 
 #include <array>
@@ -13,6 +11,10 @@
 #include "trace/step_rows.h"
 
 namespace evenlift {
+
+// --- Writes the walkthrough's sentences. A piece of a sentence holds a few numbers until one function,
+// written(), turns them into text. Building strings at each place took a third of the walkthrough's
+// code.
 
 struct Piece {
   enum class Kind : std::uint8_t {
