@@ -9,9 +9,14 @@ const bytesOf = (name) => gzipSync(readFileSync(path.join(pageFolder, name)), { 
 // All files, by name.
 export const sizes = () => readdirSync(pageFolder).map((name) => ({ name, bytes: bytesOf(name) }));
 
-// The files that a page has loaded so far, which has just become ready.
+// The files that a page has loaded when it becomes ready. What comes later, as the controls in HTML do, may be there
+// before the question is.
 export async function loaded(page) {
-  const addresses = await page.evaluate(() => performance.getEntriesByType("resource").map(({ name }) => name));
+  const addresses = await page.evaluate(() => {
+    const [{ startTime: ready }] = performance.getEntriesByName("ready", "mark");
+    const before = performance.getEntriesByType("resource").filter(({ responseEnd }) => responseEnd <= ready);
+    return before.map(({ name }) => name);
+  });
   const names = new Set(["index.html", ...addresses.map((address) => new URL(address).pathname.slice(1))]);
   return [...names].map((name) => ({ name, bytes: bytesOf(name) }));
 }
