@@ -380,8 +380,10 @@ TEST_CASE("docs and types name each quantity that results tell", "[doors][quanti
     INFO(condition << " " << json << " " << (quantity.label ? quantity.label : ""));
     CHECK((quantity.value || (condition.empty() && json.empty() && quantity.column.empty())));
     CHECK(condition.empty() == quantity.subject.empty());
-    CHECK((quantity.label != nullptr) == (quantity.about && quantity.in_words));
-    if (!json.empty()) CHECK(objects.contains(json.substr(0, json.find('.'))));
+    CHECK((quantity.label != nullptr) == (quantity.about != nullptr));
+    if (quantity.label || quantity.compared) CHECK((quantity.in_words || quantity.value));
+    if (const std::size_t dot = json.find('.'); dot != std::string::npos)
+      CHECK(objects.contains(json.substr(0, dot)));
     if (!condition.empty() && lacks(cli, "`" + condition + "`"))
       FAIL_CHECK("docs/cli.md has no row for the condition " << condition);
     if (!condition.empty() && lacks(header, "//   " + condition + " "))

@@ -1,11 +1,12 @@
 // The second method, and the results of both in numbers.
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <iterator>
 #include <string>
 #include <vector>
 
-#include "evenlift/output/words.h"
+#include "evenlift/output/quantities.h"
 #include "evenlift/wording.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
@@ -19,39 +20,18 @@
 namespace evenlift::view {
 namespace {
 
-struct Row {
-  std::string label;
-  std::array<std::string, 2> values;
-};
-
-// `failed` is the number of robots in `a` that carry nothing.
-std::vector<Row> compared_rows(const Placement& a, const Placement& b, std::size_t failed,
-                               const std::string& weight_unit) {
-  const auto both = [&](auto value) { return std::array<std::string, 2>{value(a), value(b)}; };
-  const auto load = [](auto member) {
-    return [member](const Placement& p) {
-      return p.loads ? amount((*p.loads).*member, p.loads->max) : std::string("–");
-    };
-  };
-  return {
-      {"Robots",
-       {std::to_string(count_robots(a.teams) - failed), std::to_string(count_robots(b.teams))}},
-      {say("Least load, {unit}", {weight_unit}), both(load(&LoadSummary::min))},
-      {say("Greatest load, {unit}", {weight_unit}), both(load(&LoadSummary::max))},
-      {say("Spread of loads, {unit}", {weight_unit}), both(load(&LoadSummary::spread))},
-      {"Coverage", both([](const Placement& p) { return percentage(p.coverage, 1); })},
-      {"Form closure", both([](const Placement& p) { return form_closure_in_words(p.closure); })}};
-}
-
-void draw_row(const Ui& ui, const Row& row, Face face, Colour colour,
+// The worse of two values recedes.
+void draw_row(const Ui& ui, const Compared& row, Face face,
               const std::array<std::string, 2>& methods) {
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_text(list, Face::label, ImVec2(low.x, low.y + 2), ui.theme.second_text, row.label);
-  for (int i = 0; i < 2; ++i) {
-    const std::string& text = row.values[static_cast<std::size_t>(i)];
+  for (const std::size_t i : {0u, 1u}) {
+    const std::string& text = row.values[i];
     const float right = low.x + width - (i == 0 ? 84.0f : 0.0f);
+    const bool recedes = row.label.empty() || row.better.value_or(i) != i;
+    const Colour colour = recedes ? ui.theme.second_text : ui.theme.text;
     draw_text(list, face, ImVec2(right - text_size(face, text).x, low.y + 2), colour, text);
   }
   ImGui::Dummy(ImVec2(width, 21));
@@ -93,10 +73,9 @@ void draw_comparison(const Ui& ui) {
   const std::string first = words_of(ui.state.derived().placement->settings.method).label;
   const std::array<std::string, 2> both = {fails ? say("{method}, one fails", {first}) : first,
                                            words_of(*ui.state.work.second_method).label};
-  draw_row(ui, {"", both}, Face::label, ui.theme.second_text, both);
-  for (const Row& row : compared_rows(shown_placement(ui.state), *ui.state.derived().second,
-                                      fails ? 1 : 0, weight_unit(ui.state)))
-    draw_row(ui, row, Face::strong_label, ui.theme.text, both);
+  draw_row(ui, {"", both, {}}, Face::label, both);
+  for (const Compared& row : compared_in_words(reported(ui.state), reported(ui.state, true)))
+    draw_row(ui, row, Face::strong_label, both);
   ImGui::PopStyleVar();
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "evenlift/candidates.h"
@@ -67,6 +68,18 @@ struct Measurement {
                                         // that do not choose among candidates
   bool operator==(const Measurement&) const = default;
 };
+
+// The values that are averaged, in the order of the columns of CSV.
+struct MeasuredValue {
+  std::string_view column;
+  double Measurement::*value;
+};
+inline constexpr MeasuredValue measured_values[] = {
+    {"coverage", &Measurement::coverage},  {"form_closure", &Measurement::form_closure},
+    {"no_area", &Measurement::no_area},    {"held_clear", &Measurement::held_clear},
+    {"load_min", &Measurement::load_min},  {"load_mean", &Measurement::load_mean},
+    {"load_max", &Measurement::load_max},  {"spread", &Measurement::spread},
+    {"max_share", &Measurement::max_share}};
 
 // The number of teams: 1 for balanced robots, otherwise one for every two robots. O(1).
 std::uint32_t teams_of(Method method, std::uint32_t robots);

@@ -131,12 +131,7 @@ void add_sample(const Subject& subject, double weight, const std::vector<Chord>&
     const Measurement m = placement.measured();
     Measurement& sum = sums[t];
     ++sum.samples;
-    sum.coverage += m.coverage;
-    sum.load_min += m.load_min;
-    sum.load_mean += m.load_mean;
-    sum.load_max += m.load_max;
-    sum.spread += m.spread;
-    sum.max_share += m.max_share;
+    for (const auto& [column, value] : measured_values) sum.*value += m.*value;
   }
   const std::size_t closed = first_passing(subject, placement.points(), in_form_closure);
   for (std::size_t t = closed; t <= chords.size(); ++t) sums[t - 1].form_closure += 1;
@@ -160,9 +155,7 @@ std::vector<Measurement> measure_random(const Subject& subject,
   for (std::size_t t = 0; t < teams; ++t) {
     Measurement& m = sums[t];
     m.robots = static_cast<std::uint32_t>(2 * (t + 1));
-    for (double* sum : {&m.coverage, &m.form_closure, &m.no_area, &m.held_clear, &m.load_min,
-                        &m.load_mean, &m.load_max, &m.spread, &m.max_share})
-      *sum /= m.samples;
+    for (const auto& [column, value] : measured_values) m.*value /= m.samples;
   }
   std::erase_if(sums, [](const Measurement& m) { return m.samples == 0; });
   return sums;

@@ -15,28 +15,24 @@ namespace {
 // again.
 constexpr const char* part_format = "evenlift experiment 4";
 
-const csv::Row measurement_columns = {"set",      "polygon",    "method",    "teams",
-                                      "robots",   "samples",    "coverage",  "form_closure",
-                                      "no_area",  "held_clear", "load_min",  "load_mean",
-                                      "load_max", "spread",     "max_share", "chosen"};
+csv::Row columns_of_measurements() {
+  csv::Row columns = {"set", "polygon", "method", "teams", "robots", "samples"};
+  for (const MeasuredValue& measured : measured_values) columns.emplace_back(measured.column);
+  columns.emplace_back("chosen");
+  return columns;
+}
+const csv::Row measurement_columns = columns_of_measurements();
 
 csv::Row measurement_row(const PolygonResult& of, const Measurement& m) {
-  return {of.set,
-          of.polygon,
-          std::string(name(m.method)),
-          std::to_string(teams_of(m.method, m.robots)),
-          std::to_string(m.robots),
-          std::to_string(m.samples),
-          shortest(m.coverage),
-          shortest(m.form_closure),
-          shortest(m.no_area),
-          shortest(m.held_clear),
-          shortest(m.load_min),
-          shortest(m.load_mean),
-          shortest(m.load_max),
-          shortest(m.spread),
-          shortest(m.max_share),
-          m.chosen ? std::to_string(*m.chosen) : ""};
+  csv::Row row = {of.set,
+                  of.polygon,
+                  std::string(name(m.method)),
+                  std::to_string(teams_of(m.method, m.robots)),
+                  std::to_string(m.robots),
+                  std::to_string(m.samples)};
+  for (const auto& [column, value] : measured_values) row.push_back(shortest(m.*value));
+  row.push_back(m.chosen ? std::to_string(*m.chosen) : "");
+  return row;
 }
 
 csv::Row polygon_row(const PolygonResult& r) {
@@ -82,9 +78,7 @@ bool read_measurement(const csv::Row& row, PolygonResult& result) {
   m.robots = fields.whole();
   if (teams != teams_of(m.method, m.robots)) return false;
   m.samples = fields.whole();
-  for (double* value : {&m.coverage, &m.form_closure, &m.no_area, &m.held_clear, &m.load_min,
-                        &m.load_mean, &m.load_max, &m.spread, &m.max_share})
-    *value = fields.number();
+  for (const auto& [column, value] : measured_values) m.*value = fields.number();
   if (!row.back().empty()) {
     m.chosen = fields.whole();
   } else {

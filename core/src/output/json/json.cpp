@@ -301,12 +301,12 @@ std::string placement_json(const Reported& of, bool with_candidates, bool with_f
   members.push_back({"teams", teams_json(placement)});
   if (robots) members.push_back({"robots", json::robots(placement, 1)});
   members.push_back({"hull", json::points(placement.lifting_base, 1)});
-  members.push_back({"coverage", json::number(placement.coverage)});
+  members.push_back(json::quantity("coverage", of));
   members.push_back({"loads", loads_json(of)});
   members.push_back({"closure", closure_json(of)});
   members.push_back({"goal", json::text(name(goal_of(settings)))});
-  members.push_back({"goal_reached", json::boolean(placement.goal_reached)});
-  members.push_back({"stands", json::boolean(placement.loads.has_value())});
+  for (const char* member : {"goal_reached", "stands"})
+    members.push_back(json::quantity(member, of));
   members.push_back({"verdict", verdict_json(judge(of))});
   if (given) add_misfits(members, of);
   if (settings.method == Method::balanced || placement.cut_short)

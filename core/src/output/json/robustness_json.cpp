@@ -1,5 +1,6 @@
 #include "output/json/robustness_json.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "evenlift/output/json_text.h"
@@ -56,6 +57,13 @@ std::vector<Member> quantities_of(std::string_view object, const Reported& of) {
           {quantity.json.substr(dot + 1), written(quantity.value(of), quantity.unit)});
   }
   return members;
+}
+
+Member quantity(std::string_view name, const Reported& of) {
+  const auto all = quantities();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Quantity& each) { return each.json == name; });
+  return {found->json, written(found->value(of), found->unit)};
 }
 
 std::string robots(const Placement& placement, int depth) {

@@ -14,7 +14,8 @@ namespace evenlift::json {
 
 std::string number_or_null(const std::optional<double>& value);
 
-// The members of this object that are quantities.
+// The member that is this quantity, and the members of this object that are quantities.
+Member quantity(std::string_view name, const Reported& of);
 std::vector<Member> quantities_of(std::string_view object, const Reported& of);
 
 std::string robots(const Placement& placement, int depth);
