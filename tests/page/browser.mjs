@@ -130,7 +130,8 @@ export async function startBrowser(extraOptions = [], { drawn: always = false } 
     if (!offline) await page.addInitScript(keepNothing);
     if (script) await page.addInitScript(script);
     await page.goto(site + address);
-    if (ready) await page.evaluate(() => evenlift.ready);
+    // The controls in HTML come after the first picture.
+    if (ready) await page.evaluate(() => evenlift.idle());
     page.complaints = complaints;
     page.done = async () => {
       if (quiet) assert.deepEqual(complaints, []);

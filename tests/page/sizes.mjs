@@ -9,12 +9,12 @@ const bytesOf = (name) => gzipSync(readFileSync(path.join(pageFolder, name)), { 
 // All files, by name.
 export const sizes = () => readdirSync(pageFolder).map((name) => ({ name, bytes: bytesOf(name) }));
 
-// The files that a page has loaded when it becomes ready. What comes later, as the controls in HTML do, may be there
-// before the question is.
+// The files that a page has asked for when its first picture is there. What it loads afterwards, such as the controls in
+// HTML, may be there before this question is.
 export async function loaded(page) {
   const addresses = await page.evaluate(() => {
     const [{ startTime: ready }] = performance.getEntriesByName("ready", "mark");
-    const before = performance.getEntriesByType("resource").filter(({ responseEnd }) => responseEnd <= ready);
+    const before = performance.getEntriesByType("resource").filter(({ startTime }) => startTime < ready);
     return before.map(({ name }) => name);
   });
   const names = new Set(["index.html", ...addresses.map((address) => new URL(address).pathname.slice(1))]);

@@ -121,7 +121,6 @@ export function createApi() {
     },
     ready() {
       isReady = true;
-      performance.mark("ready"); // for those who measure the page's start
       resolve();
     },
     fail: reject,

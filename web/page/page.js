@@ -235,6 +235,7 @@ async function start() {
     const work = publisher.stop();
     startAnew(error, { opening, work });
   };
+  performance.mark("ready"); // what is loaded from here on does not delay the first picture
   const isTouched = firstTouch();
   underWay(loadMirror(program, field, publisher)).then(
     (drawn) => {
