@@ -11,11 +11,11 @@
 namespace {
 
 constexpr std::string_view no_request =
-    "{\"error\": {\"code\": \"bad_syntax\", \"message\": \"There is no request\", \"place\": null}}\n";
+    "{\"error\": {\"code\": \"bad_syntax\", \"message\": \"There is no request\", \"place\": null, \"path\": null}}\n";
 constexpr std::string_view no_memory =
-    "{\"error\": {\"code\": \"no_memory\", \"message\": \"There is not enough memory\", \"place\": null}}\n";
+    "{\"error\": {\"code\": \"no_memory\", \"message\": \"There is not enough memory\", \"place\": null, \"path\": null}}\n";
 constexpr std::string_view unknown =
-    "{\"error\": {\"code\": \"internal\", \"message\": \"evenlift failed\", \"place\": null}}\n";
+    "{\"error\": {\"code\": \"internal\", \"message\": \"evenlift failed\", \"place\": null, \"path\": null}}\n";
 
 char* handed_over(std::string_view text) {
   auto* copy = static_cast<char*>(std::malloc(text.size() + 1));

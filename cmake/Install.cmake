@@ -11,11 +11,11 @@ if(TARGET evenlift)
 endif()
 
 # --- C++: evenlift::core and the libraries on top of it ---------------------------------------------------------------
-set(libraries evenlift_core evenlift_output evenlift_optimum evenlift_experiment evenlift_request)
+set(libraries evenlift_core evenlift_output evenlift_optimum evenlift_experiment)
 # If pugixml is not a library of the system, ours is installed with it, under a unique name.
 set(pugixml_is_elsewhere OFF)
 if(EVENLIFT_IMPORT)
-  list(APPEND libraries evenlift_import)
+  list(APPEND libraries evenlift_import evenlift_request)
   get_target_property(pugixml_is_elsewhere pugixml::pugixml IMPORTED)
   if(NOT pugixml_is_elsewhere)
     list(APPEND libraries pugixml)
@@ -89,8 +89,8 @@ else()
 endif()
 if(EVENLIFT_IMPORT)
   evenlift_pkg_config(evenlift-import development)
+  evenlift_pkg_config(evenlift-c development)
 endif()
-evenlift_pkg_config(evenlift-c development)
 
 # --- The licence ----------------------------------------------------------------------------------------------------------
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT development)

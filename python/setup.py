@@ -36,7 +36,7 @@ def built_library(folder):
     """Compiles the library in the folder and returns its path."""
     if os.environ.get("EVENLIFT_LIBRARY"):
         return pathlib.Path(os.environ["EVENLIFT_LIBRARY"])
-    options = ["-DCMAKE_BUILD_TYPE=Release", "-DEVENLIFT_PROGRAM=OFF", "-DEVENLIFT_TESTS=OFF", "-DEVENLIFT_VIEW=OFF", "-DEVENLIFT_IMPORT=OFF"]
+    options = ["-DCMAKE_BUILD_TYPE=Release", "-DEVENLIFT_PROGRAM=OFF", "-DEVENLIFT_TESTS=OFF", "-DEVENLIFT_VIEW=OFF"]
     if shutil.which("ninja"):
         options += ["-G", "Ninja"]
     options += shlex.split(os.environ.get("CMAKE_ARGS", ""))

@@ -4,8 +4,10 @@
 #include <exception>
 
 #include "commands/commands.h"
+#include "evenlift/output/json.h"
 #include "input/command_line.h"
 #include "input/files.h"
+#include "schema/schema.h"
 
 namespace evenlift::native {
 namespace {
@@ -37,7 +39,8 @@ std::string help() {
     text += "  " + name + command.summary + "\n";
   }
   return text +
-         "\n`evenlift COMMAND --help` explains a command. Exit status: 0 done, 3 a condition\n"
+         "\n`evenlift COMMAND --help` explains a command, and `evenlift --schema` prints the JSON Schema of all\n"
+         "results and requests. Exit status: 0 done, 3 a condition\n"
          "is not kept or a task is not done, 2 bad usage or bad input, 1 anything else.\n";
 }
 
@@ -51,7 +54,8 @@ void run(Arguments arguments) {
     arguments = {"--help"};
   }
   if (name == "--help" || name == "-h" || name == "help") return write_output(help());
-  if (name == "--version") return write_output("evenlift " EVENLIFT_VERSION "\n");
+  if (name == "--version") return write_output("evenlift " + std::string(version()) + "\n");
+  if (name == "--schema") return write_output(schema_json());
   for (const Command& command : commands)
     if (name == command.name) return command.run(arguments);
   const bool option = name.size() > 1 && name[0] == '-';

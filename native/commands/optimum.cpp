@@ -23,41 +23,6 @@ double time_limit_option(const std::optional<std::string>& text) {
   return *seconds;
 }
 
-struct Compared {
-  Placement greedy;
-  Optimum widest;
-  std::optional<ChoiceToHold> to_hold;  // with the goal *hold*
-};
-
-Placement greedy_placement(const Input& input, const SettingOptions& options) {
-  Document document = input.document;
-  document.settings.goal.reset();
-  if (!selects_candidates(document.settings.method))
-    throw Failure{
-        bad_input_status, "--metric",
-        "only area, circle and distance choose among candidates and have an optimum, not " +
-            std::string(name(document.settings.method))};
-  const Result<Placement> placement = place(document);
-  if (!placement) throw options.failure(input.source, placement.error());
-  return *placement;
-}
-
-Compared compare(const Placement& greedy, bool holds, double seconds) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
-  const Stop stop = [&] { return std::chrono::steady_clock::now() >= end; };
-  // For robots with a size there may be room for fewer teams than requested.
-  const std::size_t teams = greedy.teams.size();
-  Compared compared{greedy,
-                    widest_choice(greedy.object, greedy.centre_of_mass, greedy.candidates, teams,
-                                  greedy.team_candidates, stop, greedy.stands.get()),
-                    {}};
-  if (holds)
-    compared.to_hold = choice_to_hold(greedy.object, greedy.centre_of_mass, greedy.candidates,
-                                      teams, greedy.team_candidates, hold_requirements(greedy),
-                                      compared.widest, greedy.stands.get());
-  return compared;
-}
-
 // Candidates, counted from 1.
 std::string candidates_in_words(const std::vector<std::uint32_t>& taken) {
   std::string text;
@@ -79,7 +44,7 @@ std::string verdict_on(const ChoiceToHold& to_hold) {
          percentage(to_hold.most_coverage, 2) + ".";
 }
 
-std::string for_people(const Compared& compared) {
+std::string for_people(const ComparedChoices& compared) {
   const Placement& greedy = compared.greedy;
   const Optimum& widest = compared.widest;
   std::string text = count_of(greedy.teams.size(), "team", "teams") + " among " +
@@ -104,44 +69,13 @@ std::string for_people(const Compared& compared) {
   return text;
 }
 
-std::string numbers_from_0(const std::vector<std::uint32_t>& taken) {
-  std::string text;
-  for (const std::uint32_t i : taken) text += (text.empty() ? "" : ", ") + std::to_string(i);
-  return "[" + text + "]";
-}
-
-std::string as_json(const Compared& compared) {
-  const Placement& greedy = compared.greedy;
-  const Optimum& widest = compared.widest;
-  std::string text = "{\n  \"teams\": " + std::to_string(greedy.teams.size()) +
-                     ",\n  \"candidates\": " + std::to_string(greedy.candidates.size()) +
-                     ",\n  \"greedy\": {\"taken\": " + numbers_from_0(greedy.team_candidates) +
-                     ", \"coverage\": " + shortest(greedy.coverage) +
-                     "},\n  \"optimum\": {\"taken\": " + numbers_from_0(widest.taken) +
-                     ", \"coverage\": " + shortest(widest.coverage) +
-                     ", \"bound\": " + shortest(widest.bound) +
-                     ", \"proved\": " + (widest.proved ? "true" : "false") + "}";
-  if (const auto& to_hold = compared.to_hold)
-    text += ",\n  \"hold\": {\"taken\": " + numbers_from_0(to_hold->taken) +
-            ", \"level\": " + std::to_string(to_hold->keys.level) +
-            ", \"coverage\": " + shortest(to_hold->keys.coverage) +
-            ", \"most_level\": " + std::to_string(to_hold->most_level) +
-            ", \"bound\": " + shortest(to_hold->most_coverage) +
-            ", \"proved\": " + (to_hold->proved ? "true" : "false") + "}";
-  return text + "\n}\n";
-}
-
 std::string answer(const Input& input, const SettingOptions& options, double seconds, bool json) {
   const Waiting waiting("comparing choices of teams");
-  const bool holds = goal_of(input.document.settings) == Goal::hold;
-  const Placement greedy = greedy_placement(input, options);
-  const Compared compared = compare(greedy, holds, seconds);
-  if (holds && !compared.to_hold && !greedy.teams.empty())
-    throw Failure{bad_input_status, "--goal",
-                  "at most " + std::to_string(most_swapped_teams) +
-                      " teams can be compared by their hold, not " +
-                      std::to_string(greedy.teams.size())};
-  return json ? as_json(compared) : for_people(compared);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  const Result<ComparedChoices> compared =
+      compare_choices(input.document, [&] { return std::chrono::steady_clock::now() >= end; });
+  if (!compared) throw options.failure(input.source, compared.error());
+  return json ? choices_json(*compared) : for_people(*compared);
 }
 
 }  // namespace

@@ -111,8 +111,20 @@ std::string facts(const Reported& of) {
   return text;
 }
 
+// Where evened-out robots stood before.
+std::string moves_in_words(const std::vector<SupportMove>& moves, const Reported& of) {
+  if (moves.empty()) return "The robots were even already: none was moved.";
+  const int decimals = place_decimals(of.placement);
+  std::string text;
+  for (const auto& [robot, from, to] : moves)
+    text += std::string(text.empty() ? "Moved" : ";") + " robot " + std::to_string(robot + 1) +
+            " from " + point_in_words(from, decimals) + " to " + point_in_words(to, decimals) +
+            ", by " + length_in_words(length(to - from), of.shown.units, Toward::nearest);
+  return text + ".";
+}
+
 std::string for_people(const Reported& of, bool with_candidates,
-                       const std::vector<Requirement>& requirements) {
+                       const std::vector<Requirement>& requirements, const Beside& beside) {
   const Placement& placement = of.placement;
   std::string sentences = verdict(of) + "\n", tables;
   if (!placement.teams.empty()) tables += team_table(of, load_column(of)) + "\n";
@@ -126,6 +138,7 @@ std::string for_people(const Reported& of, bool with_candidates,
   }
   sentences += robustness_lines(of);
   for (const std::string& misfit : misfits_in_words(of)) sentences += misfit + "\n";
+  if (beside.evened_out) sentences += moves_in_words(*beside.evened_out, of) + "\n";
   for (const Requirement& requirement : requirements)
     sentences += requirement_in_words(requirement) + "\n";
   if (placement.loads && !of.report.failures.empty()) tables += failure_table(of) + "\n";
@@ -158,10 +171,13 @@ void check_outputs(const PlaceOptions& options, const std::optional<PosesAsked>&
                   "would overwrite " + poses->file + ", which --svg writes"};
 }
 
-Document evened(const Input& input, const PlaceOptions& options) {
+// Replaces the document, and returns what was moved.
+std::vector<SupportMove> even_out(Input& input, const PlaceOptions& options) {
   Result<Document> even = with_even_supports(input.document);
   if (!even) throw options.input.settings.failure(input.source, even.error());
-  return *std::move(even);
+  std::vector<SupportMove> moves = support_moves(input.document, *even);
+  input.document = *std::move(even);
+  return moves;
 }
 
 struct Outputs {
@@ -172,7 +188,7 @@ struct Outputs {
 
 Outputs make_outputs(const Input& input, const PlaceOptions& options,
                      const std::optional<PosesAsked>& poses, Asked asked,
-                     const std::vector<Condition>& conditions) {
+                     const std::vector<Condition>& conditions, const Beside& beside) {
   Waiting waiting("placing the robots");
   const Result<Placement> placement = place(input.document);
   if (!placement) throw options.input.settings.failure(input.source, placement.error());
@@ -193,9 +209,10 @@ Outputs make_outputs(const Input& input, const PlaceOptions& options,
   if (options.svg) outputs.svg = picture({shown, report}, input.document, options.candidates);
   if (poses) outputs.poses = poses_text(shown, poses->format, poses->options);
   if (!told) report.failures.clear();
-  outputs.printed = options.as_json
-                        ? placement_json({shown, report}, options.candidates, told, requirements)
-                        : for_people({shown, report}, options.candidates, requirements);
+  outputs.printed =
+      options.as_json
+          ? placement_json({shown, report}, options.candidates, told, requirements, beside)
+          : for_people({shown, report}, options.candidates, requirements, beside);
   outputs.kept = std::all_of(requirements.begin(), requirements.end(),
                              [](const Requirement& each) { return each.kept; });
   return outputs;
@@ -228,8 +245,9 @@ void cmd_place(const Arguments& arguments) {
   const std::optional<PosesAsked> pose_file = options.poses.asked();
   check_outputs(options, pose_file);
   const Asked asked = asked_by(options.robustness, input.document.shown);
-  if (options.even_out) input.document = evened(input, options);
-  const Outputs outputs = make_outputs(input, options, pose_file, asked, conditions);
+  Beside beside;
+  if (options.even_out) beside.evened_out = even_out(input, options);
+  const Outputs outputs = make_outputs(input, options, pose_file, asked, conditions, beside);
   if (outputs.svg) write_file(*options.svg, *outputs.svg);
   if (outputs.poses) write_file(pose_file->file, *outputs.poses);
   write_output(outputs.printed);

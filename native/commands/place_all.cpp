@@ -44,10 +44,11 @@ void check_options(const PlaceOptions& options) {
   if (options.robustness.failures && !options.as_json) refuse("--failures", one_table);
 }
 
-Result<Placement> placed(Document& document, const PlaceOptions& options) {
+Result<Placement> placed(Document& document, const PlaceOptions& options, Beside& beside) {
   if (options.even_out) {
     Result<Document> even = with_even_supports(document);
     if (!even) return even.error();
+    beside.evened_out = support_moves(document, *even);
     document = *std::move(even);
   }
   return place(document);
@@ -75,7 +76,8 @@ ShapeResult result_of(std::size_t number, const ImportedShape& shape, const Plac
   const bool failures = asked.failures;
   asked.failures |= need_failures(conditions);
   Document document = shape.document;
-  const Result<Placement> placement = placed(document, options);
+  Beside beside;
+  const Result<Placement> placement = placed(document, options, beside);
   if (!placement) {
     result.refusal = sentence(placement.error());
     if (options.as_json)
@@ -89,7 +91,7 @@ ShapeResult result_of(std::size_t number, const ImportedShape& shape, const Plac
                             [](const Requirement& each) { return each.kept; });
   if (options.as_json)
     result.json = json_line(number, shape.name,
-                            placement_json(of, options.candidates, failures, requirements));
+                            placement_json(of, options.candidates, failures, requirements, beside));
   else
     summarize(of, result);
   return result;

@@ -287,46 +287,6 @@ std::vector<std::string> listed(const std::vector<ImportedShape>& shapes) {
   return lines;
 }
 
-std::string why_asked(const Import& import) {
-  if (!import.doubtful) return "it has " + std::to_string(import.shapes.size()) + " shapes";
-  return "what does not close is larger than the largest shape" +
-         (import.notes.empty() ? std::string() : " (" + import.notes[0] + ")");
-}
-
-// Sheets, which come last, do not count.
-std::size_t count_parts(const Import& import) {
-  const auto sheets = std::count_if(import.shapes.begin(), import.shapes.end(),
-                                    [](const ImportedShape& each) { return each.sheet; });
-  return import.shapes.size() - static_cast<std::size_t>(sheets);
-}
-
-std::size_t only_shape(const Import& import, const std::string& source) {
-  if (count_parts(import) == 1 && !import.doubtful) return 0;
-  throw Failure{bad_input_status, source, why_asked(import) + "; --shape N selects one",
-                listed(import.shapes)};
-}
-
-std::size_t named_shape(const Import& import, const std::string& typed) {
-  const std::vector<ImportedShape>& shapes = import.shapes;
-  const std::optional<std::uint64_t> number = read_whole(typed);
-  if (number && *number >= 1 && *number <= shapes.size())
-    return static_cast<std::size_t>(*number) - 1;
-  std::optional<std::size_t> found;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    if (shapes[i].name != typed) continue;
-    if (found)
-      throw Failure{bad_input_status, "--shape",
-                    "shapes " + std::to_string(*found + 1) + " and " + std::to_string(i + 1) +
-                        " are both called \"" + typed + "\"; give a number instead"};
-    found = i;
-  }
-  if (found) return *found;
-  throw Failure{bad_input_status, "--shape",
-                "expected a number from 1 to " + std::to_string(shapes.size()) +
-                    " or a shape's name, not \"" + typed + "\"",
-                listed(shapes)};
-}
-
 Import read_text(const std::string& text, const std::string& source, const ShapeOptions& options) {
   Result<Import> read = read_shapes(text, import_options(options));
   if (!read) throw bad_input(source, read.error());
@@ -371,9 +331,13 @@ bool ShapeOptions::keeps_holes() const {
 Document choose_shape(const std::string& text, const std::string& source,
                       const ShapeOptions& options) {
   const Import import = read_text(text, source, options);
-  const std::size_t chosen =
-      options.shape ? named_shape(import, *options.shape) : only_shape(import, source);
-  const ImportedShape& shape = import.shapes[chosen];
+  const Result<std::size_t> chosen = evenlift::choose_shape(import, options.shape);
+  if (!chosen && options.shape)
+    throw Failure{bad_input_status, "--shape", chosen.error().message, listed(import.shapes)};
+  if (!chosen)
+    throw Failure{bad_input_status, source, chosen.error().message + "; --shape N selects one",
+                  listed(import.shapes)};
+  const ImportedShape& shape = import.shapes[*chosen];
   report(import, shape.tolerance, source, options);
   return shape.document;
 }
@@ -386,8 +350,8 @@ std::vector<ImportedShape> all_shapes(const std::string& text, const std::string
     if (shape.tolerance) tolerance = std::max(tolerance.value_or(0), *shape.tolerance);
   report(import, tolerance, source, options);
   import.shapes.resize(count_parts(import));
-  if (!options.offered && (import.shapes.size() > 1 || import.doubtful))
-    say(source, why_asked(import) + "; all shapes are taken");
+  const Result<std::size_t> only = evenlift::choose_shape(import, std::nullopt);
+  if (!options.offered && !only) say(source, only.error().message + "; all shapes are taken");
   return std::move(import.shapes);
 }
 

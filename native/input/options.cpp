@@ -159,8 +159,12 @@ void InputOptions::apply(Document& document) const {
 }
 
 Failure SettingOptions::failure(const std::string& source, const InputError& error) const {
-  if (error.place.kind == Place::Kind::option)
-    return {bad_input_status, as_typed(error.place.option), error.message};
+  if (error.place.kind == Place::Kind::option) {
+    const std::string& path = error.place.option;
+    const std::string words = describe(error.place);
+    return {bad_input_status, as_typed(path.substr(0, path.find_first_of("[."))),
+            (words == path ? "" : words + ": ") + error.message};
+  }
   if (error.place.kind == Place::Kind::centre_of_mass && typed(Setting::com))
     return {bad_input_status, "--com", error.message};
   return bad_input(source, error);

@@ -79,12 +79,14 @@ def check_errors(consumer):
         '{"polygon": [[0, 0], [4, 0], [4, 3]], "settings": {"teams": 0}}': (
             "bad_setting", "The number of teams must be a whole number from 1 to 1048576, or max", {"setting": "teams"}),
         '{"polygon": [[0, 0], [4, 0], [4, 3]], "setings": {}}': (
-            "unsupported", 'Line 1, column 50: there is no member "setings" here', {"line": 1, "column": 50}),
+            "bad_setting", 'There is no setting "setings"; did you mean "settings"?', {"setting": "setings"}),
         '{"command": "fly"}': (
-            "unsupported", "Line 1, column 17: the command must be place, candidates, svg, poses, link, experiment or version", {"line": 1, "column": 17}),
+            "unsupported", "The command must be place, candidates, svg, poses, link, optimum, trace, shapes, experiment or version", {"setting": "command"}),
     }  # fmt: skip
     for request, (code, message, place) in bad.items():
-        expect(json.loads(answers(consumer, request)) == {"error": {"code": code, "message": message, "place": place}}, answers(consumer, request))
+        path = place.get("setting", "polygon[0]")
+        error = {"code": code, "message": message, "place": place, "path": path}
+        expect(json.loads(answers(consumer, request)) == {"error": error}, answers(consumer, request))
 
 
 def check_memory(consumer):

@@ -106,7 +106,7 @@ TEST_CASE("a report that is completed is the same as one made at once", "[report
   CHECK(completed.model == LoadModel::springs);
   CHECK(completed.greatest == once.greatest);
   CHECK(completed.overloaded == once.overloaded);
-  CHECK(completed.overloads_after == once.overloads_after);
+  CHECK(completed.overloaded_after == once.overloaded_after);
   REQUIRE(completed.failures.size() == 6);
   REQUIRE(completed.com_radius);
   CHECK(completed.com_radius->within == once.com_radius->within);

@@ -60,7 +60,7 @@ literal = re.compile(r'"((?:[^"\\\n]|\\.)*)"|`((?:[^`\\]|\\.)*)`' r"|'((?:[^'\\\
 
 def literals(text):
     """The string literals that have a space, at their lines."""
-    text = re.sub(r"//[^\n]*", "", text)
+    text = re.sub(r"//[^\n]*|\]\([^)\n]*\)", "", text)  # nor links' targets
     lines = [""] * (text.count("\n") + 1)
     for found in literal.finditer(text):
         words = re.sub(r"\$\{[^}]*\}", " ", next(group for group in found.groups() if group is not None))

@@ -206,7 +206,7 @@ TEST_CASE("a support in a hole is refused by the number of the hole", "[supports
   const auto refused = place(standing_on({{0, 0}, {3, 3}, {10, 5}}, holes));
   REQUIRE_FALSE(refused.ok());
   CHECK(refused.error().code == ErrorCode::bad_setting);
-  CHECK(describe(refused.error().place) == "supports[1]");
+  CHECK(path_of(refused.error().place) == "supports[1]");
   CHECK(refused.error().message == "(3, 3) is in hole 2");
   const auto other = place(standing_on({{7.5, 6.5}}, holes));
   REQUIRE_FALSE(other.ok());

@@ -112,7 +112,7 @@ TEST_CASE("loads may change by what uneven heights and a tilt do", "[robustness]
       load_changes(square, middle, std::sqrt(2), 100, *springs, {.uneven = 1, .give = 4});
   for (const double by : uneven.by) CHECK(by == Approx(6.25));
   const LoadChanges tilted =
-      load_changes(square, middle, std::sqrt(2), 100, *springs, {.com_height = 1, .slope = 0.2});
+      load_changes(square, middle, std::sqrt(2), 100, *springs, {.height = 1, .slope = 0.2});
   for (const double by : tilted.by) CHECK(by == Approx(100 * 0.2 * std::sqrt(0.5)));
   // A plane fits any heights of three robots, or of two ends of a line.
   const Points three{{0, 0}, {1, 0}, {0, 1}}, two{{0, 0.5}, {1, 0.5}};

@@ -252,7 +252,7 @@ TEST_CASE("robots with a size are told where they do not fit", "[supports]") {
   CHECK(why == std::vector<std::string>{"2 too near robot 1", "3 outside", "4 no-go"});
   CHECK(judge(placement).kind == VerdictKind::warning);
   CHECK(json_of(document)["misfits"][0] ==
-        Json::parse(R"({"robot": 1, "why": "too near robot 1"})"));
+        Json::parse(R"({"robot": 1, "why": "too near robot 1", "other": 0})"));
 
   document.settings.supports = {{3, 0}, {3, 4}, {0, 3}};
   document.vertices = testing::u_shape;
@@ -327,8 +327,8 @@ TEST_CASE("each support may have a capacity of its own", "[supports][capacity]")
   four.centre_of_mass = Vec2(0.5, 0.5);
   four.shown.support_capacities = {60, 60, 40, 60};
   const Placement corners = placed(four);
-  CHECK(overloads_after({corners, four.shown}, single_failures(corners)) ==
-        std::vector<bool>{false, true, false, true});
+  CHECK(overloaded_after({corners, four.shown}, single_failures(corners)) ==
+        std::vector<std::vector<std::size_t>>{{}, {2}, {}, {2}});
 }
 
 TEST_CASE("supports are read from text, and a wrong one is quoted", "[supports][settings]") {
@@ -397,7 +397,7 @@ TEST_CASE("a request may give supports as arrays, in any order", "[supports][req
   CHECK(asked(R"("supports": "0,0 1,0", "metric": "area")")["metric"] == "area");
   CHECK(asked(R"("supports": [[0, 0], [1]])").contains("error"));
   for (const char* bad : {"[null]", "[0, 0]", "[\"0,0\"]", "[true]"})
-    CHECK(asked(std::string(R"("supports": )") + bad)["error"]["place"]["setting"] == "supports");
+    CHECK(asked(std::string(R"("supports": )") + bad)["error"]["path"] == "supports[0]");
   for (const char* bad : {"[true, 30]", "[\"30\", null]", "[[30]]"})
     CHECK(asked(R"("supports": [[0, 0], [1, 0]], "support_capacities": )" +
                 std::string(bad))["error"]["place"]["setting"] == "support_capacities");

@@ -49,37 +49,23 @@ TEST_CASE("the JSON of a placement has cli.md's shape", "[json]") {
     document.settings.method = method;
     const Placement placement = placed(document);
     const Json plain = Json::parse(placement_json(placement, false));
-    CHECK(plain.names() == Names{"polygon",
-                                 "centre_of_mass",
-                                 "own_centre_of_mass",
-                                 "total_weight",
-                                 "metric",
-                                 "min_ratio",
-                                 "weight",
-                                 "seed",
-                                 "requested_teams",
-                                 "teams",
-                                 "robots",
-                                 "hull",
-                                 "coverage",
-                                 "loads",
-                                 "closure",
-                                 "goal",
-                                 "goal_reached",
-                                 "stands",
-                                 "verdict",
-                                 "clear",
-                                 "robustness",
-                                 "accuracy",
-                                 "tilt"});
+    CHECK(plain.names() == Names{"polygon",      "centre_of_mass", "own_centre_of_mass",
+                                 "total_weight", "metric",         "min_ratio",
+                                 "weight",       "seed",           "requested_teams",
+                                 "teams",        "robots",         "hull",
+                                 "coverage",     "loads",          "closure",
+                                 "goal",         "goal_reached",   "stands",
+                                 "held",         "verdict",        "clear",
+                                 "robustness",   "accuracy",       "tilt",
+                                 "effective",    "version"});
     const Json full = Json::parse(placement_json(placement, true));
     CHECK(full.contains("candidates"));
     CHECK(full["teams"][0].names() == Names{"ends", "ratio", "loads"});
     CHECK(full["candidates"][0].names() == Names{"ends", "ratio", "kind"});
     CHECK(full["loads"].names() == Names{"min", "mean", "max", "spread", "max_share", "models"});
     CHECK(full["closure"].names() == Names{"form_closure", "margin", "clearance", "tolerance",
-                                           "second_order", "free", "clockwise",
-                                           "counterclockwise"});
+                                           "second_order", "free", "slides", "depends_on",
+                                           "clockwise", "counterclockwise"});
     CHECK(full["metric"] == std::string(name(method)));
   }
 }

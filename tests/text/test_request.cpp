@@ -4,11 +4,13 @@
 #include <string>
 
 #include "evenlift/experiment/outputs.h"
+#include "evenlift/import.h"
 #include "evenlift/link.h"
 #include "evenlift/output/json.h"
 #include "evenlift/output/json_text.h"
 #include "evenlift/output/poses.h"
 #include "evenlift/output/svg.h"
+#include "evenlift/output/words.h"
 #include "evenlift/settings.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
@@ -179,7 +181,7 @@ TEST_CASE("a wrong request gets one sentence that says what and where", "[reques
         std::string("{}"),
         std::string("{\"polygon\": 3}"),
         std::string("{\"polygon\": [[0]]}"),
-        std::string("{\"polygon\": [[0, 0, 0], [1, 0], [0, 1]]}"),
+        std::string("{\"polygon\": [[0, 0, 0, 0], [1, 0], [0, 1]]}"),
         std::string("{\"polygon\": [[0, 1e999], [1, 0], [0, 1]]}"),
         with(R"("text": "x")"),
         with(R"("setings": {})"),
@@ -232,4 +234,136 @@ TEST_CASE("a program's own kinds of requests are answered beside those of the ma
   const Json wrong = Json::parse(answer(R"({"command": "count", "facter": 2})", kinds));
   CHECK(wrong["error"]["code"] == "unsupported");
   CHECK(Json::parse(answer(R"({"command": "count"})"))["error"]["code"] == "unsupported");
+}
+
+TEST_CASE("settings may stand beside the polygon or in an object of their own", "[request]") {
+  const std::string nested = answer(with(R"("settings": {"metric": "circle", "weight": 30})"));
+  CHECK(answer(with(R"("metric": "circle", "weight": 30)")) == nested);
+  CHECK(answer(with(R"("weight": 30, "settings": {"metric": "circle"})")) == nested);
+  const Json twice = refusal(with(R"("weight": 30, "settings": {"weight": 30})"));
+  CHECK(twice["path"] == "weight");
+}
+
+TEST_CASE(
+    "a document in a request is a file of evenlift, and the request's settings count after its own",
+    "[request]") {
+  Document document = l_document();
+  document.settings.method = Method::balanced;
+  document.settings.robots = 5;
+  document.settings.cargo = {{{1, 1}, 5, "motor"}};
+  document.settings.robot.radius = 0.1;
+  document.shown.capacity = 40;
+  document.shown.carrying = {.com_height = 2, .slope = 0.1};
+  const std::string result =
+      placement_json({placed(document), document.shown}, false, {.plans = true});
+  const std::string members = result.substr(1);
+  for (const std::string& text : {result, document_json(document)})
+    CHECK(Json::parse(answer("{\"document\": " + text + "}")) == Json::parse(result));
+  document.settings.weight = 7;
+  CHECK(Json::parse(answer("{\"weight\": 7, \"document\": " + result + "}")) ==
+        Json::parse(placement_json({placed(document), document.shown}, false, {.plans = true})));
+  // A result's own members are no settings of a request.
+  CHECK(refusal("{" + members)["code"] == "bad_setting");
+}
+
+TEST_CASE("a last vertex that repeats the first and third coordinates are left out, with a notice",
+          "[request]") {
+  const std::string plain = answer(R"({"polygon": [[0, 0], [4, 0], [4, 3], [0, 3]]})");
+  const Json noticed = answer_json(R"({"polygon": [[0, 0, 1], [4, 0, 1], [4, 3], [0, 3], [0, 0]],
+                      "holes": [[[1, 1], [2, 1], [2, 2], [1, 1]]]})");
+  CHECK(noticed["polygon"].size() == 4);
+  CHECK(noticed["holes"][0].size() == 3);
+  CHECK(noticed["notices"] == Json::parse(R"(["third coordinates are left out",
+                        "a last vertex that repeats the first is left out"])"));
+  CHECK_FALSE(Json::parse(plain).contains("notices"));
+  for (const char* command : {"candidates", "svg", "poses", "link", "optimum", "trace"})
+    CHECK(answer_json("{\"command\": \"" + std::string(command) +
+                      R"(", "polygon": [[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]})")["notices"]
+              .size() == 1);
+}
+
+TEST_CASE("files are read as the program reads them, and one of several shapes is chosen",
+          "[request][import]") {
+  const std::string two = R"j("text": "x,y\n0,0\n4,0\n4,3\n0,3\n\n10,0\n12,0\n12,1\n10,1\n")j";
+  const Json several = refusal("{" + two + "}");
+  CHECK(several["message"] ==
+        "It has 2 shapes; \"shape\" chooses one of them by its number or name");
+  CHECK(answer_json("{" + two + R"(, "shape": 2})")["polygon"][0][0] == 10);
+  CHECK(refusal("{" + two + R"(, "shape": 3})")["path"] == "shape");
+  const Json shapes = answer_json(R"({"command": "shapes", )" + two + "}");
+  REQUIRE(shapes["shapes"].size() == 2);
+  CHECK(shapes["shapes"][1]["document"]["polygon"][1][0] == 12);
+  // In base64: "POLYGON((0 0,4 0,4 3,0 3,0 0))".
+  CHECK(answer_json(R"({"bytes": "UE9MWUdPTigoMCAwLDQgMCw0IDMsMCAzLDAgMCkp"})")["polygon"].size() ==
+        4);
+  CHECK(refusal(R"({"bytes": "UE9M*"})")["path"] == "bytes");
+}
+
+TEST_CASE("an error has the path of the member at fault, from 0, and a sentence that counts from 1",
+          "[request][errors]") {
+  const std::pair<std::string, std::pair<const char*, const char*>> faults[] = {
+      {R"({"polygon": [[0, 0], [4, 0], [4]]})",
+       {"polygon[2]", "Vertex 3: a point must be two numbers [x, y]"}},
+      {R"({"polygon": [[0, 0], [4, NaN], [4, 3]]})",
+       {"polygon[1]", "Vertex 2: this is not a finite number"}},
+      {with(R"("holes": [[[1, 1], [2, 1], "x"]])"),
+       {"holes[0][2]", "Hole 1, vertex 3: a point must be two numbers [x, y]"}},
+      {with(R"("cargo": [{"at": [1, 1], "weight": 3}, {"at": [1, 1], "weight": 0}])"),
+       {"cargo[1].weight",
+        "Load 2: the weight of cargo must be a number greater than 0, from 1e-100 to 1e100"}},
+      {with(R"("supports": [[0, 0], [4, 0], [9, 9]])"),
+       {"supports[2]", "Robot 3: (9, 9) is 9.01 outside the object"}},
+      {with(R"("supports": [[0, 0], {"at": [4, 0], "capacity": "x"}])"),
+       {"supports[1].capacity",
+        "Robot 2: the capacity of a robot must be a number greater than 0, from 1e-100 to 1e100, or none"}},
+      {with(R"("settings": {"weight": [5]})"),
+       {"weight", "The weight must be a number greater than 0, from 1e-100 to 1e100"}},
+      {with(R"("wieght": 5)"),
+       {"wieght", "There is no setting \"wieght\"; did you mean \"weight\"?"}},
+      {with(R"("settings": {"minRatio": 5})"),
+       {"minRatio", "There is no setting \"minRatio\"; did you mean \"min_ratio\"?"}},
+      {with(R"("robot": {"radius": 1, "width": -1})"),
+       {"robot.width", "The width of a robot's hand must be a number from 0 to 1000000000"}},
+      {with(R"("com": [1, 1], "centre_of_mass": [1, 1])"),
+       {"com", "\"com\" is another name of \"centre_of_mass\": give one of them"}},
+      {R"({"command": "experiment", "polygons": [{"text": "x"}, {"polygon": [[0, 0], 3]}]})",
+       {"polygons[1].polygon[1]", "polygons[1].polygon[1]: a point must be two numbers [x, y]"}},
+      {with(R"("weight": 1e999)"), {"weight", "weight: this number is too large"}},
+      {R"({"text": "\ud800"})", {"text", "text: this text has half a character"}}};
+  for (const auto& [request, expected] : faults) {
+    const Json error = refusal(request);
+    CHECK(error["path"] == expected.first);
+    CHECK(error["message"] == expected.second);
+  }
+  // What is no JSON at all is told by its line.
+  CHECK(refusal("{\"polygon\": [[0, 0],")["place"].contains("line"));
+}
+
+TEST_CASE("a key given twice is refused in files, too", "[request][import][errors]") {
+  const auto read = read_shapes(R"({"polygon": [[0,0],[4,0],[4,3]], "weight": 3,
+ "weight": 5})");
+  REQUIRE_FALSE(read.ok());
+  CHECK(sentence(read.error()) == "Line 2, column 12: the setting \"weight\" is given twice");
+}
+
+TEST_CASE("what words say is data", "[request]") {
+  const Json sliding = answer_json(with(R"("supports": [[0, 1.5], [4, 0.75]], "require": "held")"));
+  CHECK(sliding["held"] == false);
+  CHECK(sliding["closure"]["slides"].size() == 2);
+  CHECK(sliding["verdict"]["codes"].size() == sliding["verdict"]["reasons"].size());
+  const Json even = answer_json(
+      R"({"polygon": [[0, 0], [10, 0], [10, 10], [0, 10]], "supports": [[0, 0], [10, 0], [9, 10], [0, 10]], "even_out": true})");
+  REQUIRE(even["evened_out"].size() > 0);
+  const Json& move = even["evened_out"][0];
+  CHECK(move["from"] == Json::parse("[0, 0]"));
+  CHECK(move["to"] == even["supports"][static_cast<std::size_t>(move["robot"].whole_number())]);
+  CHECK(move["by"].number() > 0);
+  const Json over = answer_json(with(R"("capacity": 40, "failures": true, "teams": 2)"));
+  for (std::size_t i = 0; i < over["failures"].size(); ++i) {
+    const Json& failure = over["failures"][i];
+    if (failure["overloaded"].is_null()) continue;
+    CHECK((failure["overloaded"].size() > 0) == (failure["over_capacity"] == true));
+  }
+  CHECK(over["effective"]["snap"].number() == Approx(5e-4));
+  CHECK(over["version"] == answer_json(R"({"command": "version"})")["version"]);
 }

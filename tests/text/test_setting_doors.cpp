@@ -1,6 +1,6 @@
 // The places that name settings and that no compiler reads (CONTRIBUTING.md, "Add a setting").
 // Messages report names that are missing or do not belong there. The target update_expected adds
-// what docs and packages lack, from the setting's row.
+// what docs lack, from the setting's row.
 #include <map>
 #include <regex>
 #include <set>
@@ -63,17 +63,9 @@ Names found(const std::string& text, const std::string& pattern) {
 // --- The doors: the settings at each, and their names there
 
 bool is_option(const SettingRow& row) { return row.option.group != OptionGroup::none; }
-bool is_in_result(const SettingRow& row) { return row.in_result != Listed::never; }
-// C has its own member in requests and packages.
-bool is_asked(const SettingRow& row) {
-  return row.changes != Changes::view && row.setting != Setting::com;
-}
 
 std::string as_is(const SettingRow& row) { return std::string(row.name); }
 std::string as_option(const SettingRow& row) { return "--" + hyphened(row.name); }
-std::string as_member(const SettingRow& row) {
-  return std::string(row.json.empty() ? row.name : row.json);
-}
 
 struct Door {
   std::string file, begins, ends;  // the part of the file; of tables, the first cells
@@ -97,47 +89,6 @@ const Door lists[] = {
      as_option,
      {"--loads", "--failures", "--json", "--candidates", "--svg", "--poses", "--frame",
       "--origin"}},
-    {"docs/requests.md",
-     "## Settings\n",
-     "\n## ",
-     "`(\\w+)`",
-     "\n| `{name}` | {help} |",
-     "has no row for {name}",
-     is_asked,
-     as_is,
-     {"method"}},
-    {"npm/evenlift.d.ts",
-     "interface Settings {",
-     "\n}",
-     "\n  (\\w+)\\?:",
-     "\n  /** {sentence} */\n  {name}?: {javascript};",
-     "has no {name} in Settings",
-     is_asked,
-     as_is,
-     {"centre_of_mass", "holes", "method"}},
-    {"python/src/evenlift/types.py",
-     "class Settings(",
-     "\n\n\n",
-     "\n    (\\w+):",
-     "\n    {name}: Optional[{python}]",
-     "has no {name} in Settings",
-     is_asked,
-     as_is,
-     {"method"}},
-};
-
-// These also contain other names.
-const Door mentions[] = {
-    {"docs/cli.md", "### The JSON object\n", "\n## ", "`(\\w+)`",
-     "\n| `{name}` | only if it is set: as given |", "has no row for {name} of the JSON object",
-     is_in_result, as_member},
-    {"npm/evenlift.d.ts", "interface Placement {", "\n}", "\n  (\\w+)\\??:",
-     "\n  {name}?: {javascript};", "has no {name} in Placement", is_in_result, as_member},
-    {"python/src/evenlift/types.py", "class _PlacementDict(", "class PlacementArrays",
-     "\n    (\\w+):", "\n    {name}: {python}", "has no {name} in PlacementDict", is_in_result,
-     as_member},
-    {"python/src/evenlift/_members.pyi", "class PlacementMembers", "class ExperimentMembers",
-     "\"(\\w+)\"", ", \"{name}\"", "has no {name} in PlacementMembers", is_in_result, as_member},
 };
 
 // The records of links; their test checks more than names.
@@ -173,8 +124,7 @@ std::string replaced(std::string text, const std::string& old, const std::string
 // With what the row says.
 std::string filled(std::string pattern, const Door& door, const SettingRow& row) {
   const std::string help(row.option.help.empty() ? row.subject : row.option.help);
-  std::string sentence = help, needed = requirement(row.setting);
-  sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+  std::string needed = requirement(row.setting);
   needed.erase(0, needed.find("must be ") + 8);
   const bool is_number = row.access.is_number;
   const std::pair<const char*, std::string> values[] = {
@@ -182,10 +132,8 @@ std::string filled(std::string pattern, const Door& door, const SettingRow& row)
       {"{default}", row.access.text({}, row.range)},
       {"{value}", std::string(row.option.value)},
       {"{help}", help},
-      {"{sentence}", sentence + "."},
       {"{needed}", needed},
       {"{record}", std::to_string(row.record)},
-      {"{javascript}", is_number ? "number" : "string"},
       {"{python}", is_number ? "float" : "str"}};
   for (const auto& [name, value] : values) pattern = replaced(pattern, name, value);
   return pattern;
@@ -317,12 +265,9 @@ TEST_CASE("every setting stands wherever settings are listed, and nothing else d
       if (!there.contains(name))
         FAIL_CHECK(door.file << " has no " << name << " any more, which this test expects");
   }
-  for (const Door& door : mentions) check_names_of_settings(door, names_at(door));
 }
 
-TEST_CASE("every number can be changed in the panels, and every refusal has a test",
-          "[settings][doors]") {
-  const std::string sentences = corpus::read_file(root() / "tests/core/test_settings.cpp");
+TEST_CASE("every number can be changed in the panels", "[settings][doors]") {
   std::string panels;
   for (const auto& entry : fs::directory_iterator(root() / "wasm/panels"))
     panels += corpus::read_file(entry.path());
@@ -334,9 +279,6 @@ TEST_CASE("every number can be changed in the panels, and every refusal has a te
     if (row.access.is_number && !has(panels, "Setting::" + name + ",") &&
         !has(panels, '"' + name + '"'))
       FAIL_CHECK("wasm/panels has no row for Setting::" << name);
-    if (!has(sentences, requirement(row.setting)))
-      FAIL_CHECK("tests/core/test_settings.cpp has no sentence \"" << requirement(row.setting)
-                                                                   << "\"");
   }
 }
 
@@ -365,12 +307,11 @@ TEST_CASE("every record of a setting is described under its number, and none tha
       FAIL_CHECK("docs/link_reader.py has a record " << number << " that no setting has");
 }
 
-TEST_CASE("docs and types name each quantity that results tell", "[doors][quantities]") {
+TEST_CASE("docs and schema name each quantity that results tell", "[doors][quantities]") {
   const std::string cli = corpus::read_file(root() / "docs/cli.md"),
                     header =
                         corpus::read_file(root() / "core/include/evenlift/output/requirements.h"),
-                    npm = corpus::read_file(root() / "npm/evenlift.d.ts"),
-                    python = corpus::read_file(root() / "python/src/evenlift/types.py");
+                    schema = corpus::read_file(root() / "native/schema/types.cpp");
   const auto lacks = [](const std::string& text, const std::string& words) {
     return text.find(words) == std::string::npos;
   };
@@ -390,10 +331,7 @@ TEST_CASE("docs and types name each quantity that results tell", "[doors][quanti
       FAIL_CHECK("requirements.h does not explain the condition " << condition);
     if (json.empty()) continue;
     const std::string member = json.substr(json.find('.') + 1);
-    if (lacks(cli, json) && lacks(cli, "`" + member + "`") && lacks(cli, "\"" + member + "\""))
-      FAIL_CHECK("docs/cli.md has no row for " << json);
-    if (lacks(npm, " " + member + ":")) FAIL_CHECK("npm/evenlift.d.ts has no member " << json);
-    if (lacks(python, " " + member + ":"))
-      FAIL_CHECK("python/src/evenlift/types.py has no member " << json);
+    if (lacks(schema, "{\"" + member + "\"") && lacks(schema, "{\"" + member + "?\""))
+      FAIL_CHECK("native/schema/types.cpp has no member " << json);
   }
 }

@@ -43,6 +43,11 @@ def is_message_to_developers(source, at):
     return bool(re.search(r"(&&|static_assert\([^;]*,)\s*$", source[max(0, at - 200) : at]))
 
 
+def is_help(source, at):
+    """Of the program's options, which stay English (core/src/document/settings.cpp)."""
+    return bool(re.search(r"\.option\s*=\s*\{[^}]*$", source[max(0, at - 600) : at]))
+
+
 def reads_as_words(text):
     if re.search(r'</?\w+|="|\{"|;\n|: \{', text):  # markup
         return False
@@ -63,7 +68,7 @@ def texts_in(source, is_script):
     for found in literal.finditer(source):
         if found["text"]:
             # Lines of the algorithm are looked up without indent.
-            if not is_message_to_developers(source, found.start()):
+            if not is_message_to_developers(source, found.start()) and not is_help(source, found.start()):
                 text = unescaped(found["text"])
                 yield text.lstrip(" ") if text.startswith("  ") else text, False
         elif found["raw"]:

@@ -61,7 +61,7 @@ Vec2 neighbour(const Points& points, std::size_t i, bool next) {
 bool answers_for_points(const AppState& state) {
   const Overlays& overlays = shown(state).overlays;
   return (overlays.load && shown_report(state).extra) ||
-         (overlays.tilt && shown(state).carrying.com_height > 0);
+         (overlays.tilt && shown(state).carrying.has_height());
 }
 
 void press_parts(const AppState& state, const Pointer& pointer, Commands& commands) {

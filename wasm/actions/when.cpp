@@ -95,7 +95,7 @@ bool has_own_centre(const AppState& s) {
   return editing(s) && s.work.document().centre_of_mass.has_value();
 }
 
-bool has_height(const AppState& s) { return shown(s).carrying.com_height > 0; }
+bool has_height(const AppState& s) { return shown(s).carrying.has_height(); }
 
 bool has_extra(const AppState& s) { return shown(s).carrying.extra.has_value(); }
 

@@ -101,7 +101,7 @@ void renew_reports(Derived& facts, LoadModel model, const Shown& shown) {
   Report report = evenlift::report_of(of, {.model = model});
   if (!facts.failures_due && !facts.report.failures.empty()) {
     report.failures = std::move(facts.report.failures);
-    if (report.has_capacities) report.overloads_after = overloads_after(of, report.failures);
+    if (report.has_capacities) report.overloaded_after = overloaded_after(of, report.failures);
   }
   facts.report = std::move(report);
   facts.second_report =

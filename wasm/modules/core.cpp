@@ -14,7 +14,6 @@
 #include "derive/derive.h"
 #include "evenlift/output/json_text.h"
 #include "evenlift/placement.h"
-#include "evenlift/settings.h"
 #include "evenlift/wording.h"
 #include "modules/kinds.h"
 
@@ -126,19 +125,6 @@ EMSCRIPTEN_KEEPALIVE char* evenlift_answer(const char* request, std::size_t byte
 // The same for the page's workers, whose requests may also be of the kinds above.
 EMSCRIPTEN_KEEPALIVE char* evenlift_answer_page(const char* request, std::size_t bytes) {
   return handed_over(evenlift::answer(std::string_view(request, bytes), evenlift::view::kinds));
-}
-
-// The names of all settings that requests take, separated by commas.
-EMSCRIPTEN_KEEPALIVE const char* evenlift_settings() {
-  static const std::string names = [] {
-    std::string list;
-    for (const evenlift::SettingRow& row : evenlift::all_settings())
-      if (row.changes != evenlift::Changes::view && row.setting != evenlift::Setting::com)
-        for (const std::string_view name : {row.name, row.alias})
-          if (!name.empty()) list += (list.empty() ? "" : ",") + std::string(name);
-    return list;
-  }();
-  return names.c_str();
 }
 
 }  // extern "C"

@@ -124,7 +124,7 @@ const char* why_none(Method method, const Overlay& overlay) {
 
 // Two overlays need a setting of *Carrying*.
 bool is_offered(const Shown& shown, const Overlay& overlay) {
-  if (overlay.shown == &Overlays::tilt) return shown.carrying.com_height > 0;
+  if (overlay.shown == &Overlays::tilt) return shown.carrying.has_height();
   if (overlay.shown == &Overlays::load) return shown.carrying.extra.has_value();
   return true;
 }

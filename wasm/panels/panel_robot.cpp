@@ -331,7 +331,7 @@ void draw_carrying_rows(const Ui& ui) {
   draw_optional(ui, extra);
   const std::string words = carrying_words(ui.state);
   if (!words.empty()) text_block(Face::label, ui.theme.second_text, words);
-  if (now.com_height > 0)
+  if (now.has_height())
     draw_show(ui, &Overlays::tilt, ActionId::toggle_tilt, "Show the slopes", "Hide the slopes");
   if (now.extra)
     draw_show(ui, &Overlays::load, ActionId::toggle_load, "Show where it may stand",

@@ -39,11 +39,11 @@ std::vector<std::optional<double>> capacities_of(const ShownPlacement& of);
 
 // Whether any robot's load by springs may exceed the robot's capacity after a failure, within the
 // disturbance (uncertainty.h) for which `rest` was computed. False if the other robots do not carry
-// the object, or if it tips under these conditions. overloads_after() answers this for each failure.
-// O(m) for each failure.
+// the object, or if it tips under these conditions. overloaded_after() returns these robots for each
+// failure. O(m) for each failure.
 bool overloads(const ShownPlacement& of, const std::optional<RestOfRobots>& rest);
-std::vector<bool> overloads_after(const ShownPlacement& of,
-                                  const std::vector<std::optional<RestOfRobots>>& failures);
+std::vector<std::vector<std::size_t>> overloaded_after(
+    const ShownPlacement& of, const std::vector<std::optional<RestOfRobots>>& failures);
 
 struct CapacityPlan {
   bool possible = false;     // whether some number of teams suffices

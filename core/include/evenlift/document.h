@@ -162,6 +162,9 @@ struct EdgePart {
 // The default of Settings::clear, in units of R (polygon.h).
 inline constexpr double usual_clear = 0.02;
 
+// The default of Settings::apart, in units of R.
+inline constexpr double usual_apart = 0.12;
+
 // The default of Settings::snap, in units of L: more than the rounding of places in tables.
 inline constexpr double usual_snap = 1e-4;
 
@@ -218,6 +221,7 @@ struct Carrying {
   double uneven = 0;  // greatest error of the ground or of a robot's height, 0 .. max_length
   std::optional<double> extra;  // a further weight that may stand on the object, such as a person,
                                 // min_weight .. max_weight
+  bool has_height() const { return com_height > 0; }  // of C, as far as it is known
   bool operator==(const Carrying&) const = default;
 };
 

@@ -161,6 +161,13 @@ struct Import {
 // pieces, and O(k^2) for its k outlines.
 Result<Import> read_shapes(std::string_view text, const ImportOptions& options = {});
 
+// Returns the index of the shape with this number, from 1, or name; without one, the index of the only
+// part. An error says why a choice is needed, or why it is none. O(shapes).
+Result<std::size_t> choose_shape(const Import& import, const std::optional<std::string>& wanted);
+
+// The number of shapes that are not sheets, which come last. O(shapes).
+std::size_t count_parts(const Import& import);
+
 // Robots that already stand. `capacities` has one entry for each place if any robot has a capacity;
 // otherwise it is empty.
 struct SupportFile {

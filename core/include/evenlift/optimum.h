@@ -7,9 +7,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "evenlift/candidates.h"
+#include "evenlift/placement.h"
 #include "evenlift/polygon_with_holes.h"
 #include "evenlift/swaps.h"
 
@@ -68,5 +71,21 @@ std::optional<ChoiceToHold> choice_to_hold(
     const PolygonWithHoles& object, const Vec2& centre, const std::vector<Candidate>& candidates,
     std::size_t teams, const std::vector<std::uint32_t>& start, const HoldRequirements& hold,
     const Optimum& widest, const Stands* stands = nullptr, std::uint64_t most = most_choices);
+
+// The greedy choice of a document's teams, beside the best ones. The goal does not count for the first
+// two.
+struct ComparedChoices {
+  Placement greedy;
+  Optimum widest;
+  std::optional<ChoiceToHold> to_hold;  // with the goal `hold`
+};
+
+// Compares the choices. It is an error if the method does not choose among candidates, if place()
+// refuses the document, or with the goal `hold` if there are more than most_swapped_teams teams.
+Result<ComparedChoices> compare_choices(const Document& document, const Stop& stop = {});
+
+// Returns the comparison as `evenlift optimum --json` prints it. Candidates count from 0.
+std::string choices_json(const ComparedChoices& compared,
+                         const std::vector<std::string>& notices = {});
 
 }  // namespace evenlift

@@ -113,6 +113,13 @@ Result<Placement> place_as_chosen(PolygonWithHoles object, const std::optional<V
 // than most_evened supports, if the method is not `given`, or if place() refuses the document.
 Result<Document> with_even_supports(const Document& document);
 
+// What with_even_supports() moved: the supports, from 0, that stand elsewhere after it. O(supports).
+struct SupportMove {
+  std::size_t robot = 0;
+  Vec2 from, to;
+};
+std::vector<SupportMove> support_moves(const Document& before, const Document& after);
+
 // The candidates for the document's `positions`, `robot` and `no_go`, whatever its method.
 // O(n log n + K log K) for K edge pairs; with a robot's size or no-go edges, also the cost of
 // Stands and of standing_candidates() (candidates.h).

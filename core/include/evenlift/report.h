@@ -45,6 +45,11 @@ struct Report {
   bool firm = false;  // hold_firmly() of placement.h
   bool held = false;  // is_held() of placement.h
   std::vector<Misfit> misfits;
+  // The values that settings have here, whether or not they are set: lengths.
+  struct Effective {
+    double clear = 0, apart = 0, snap = 0;
+  };
+  Effective effective;
 
   // Loads by all models under the given conditions: if asked, if `model` is not the plan, or if there
   // are conditions. Empty if the object falls.
@@ -83,7 +88,8 @@ struct Report {
   std::optional<FailurePlan> if_one_fails;
 
   std::vector<std::optional<RestOfRobots>> failures;  // one for each robot, or empty
-  std::vector<bool> overloads_after;                  // overloads_after(); empty without capacities
+  // overloaded_after(): one list for each failure; empty without capacities.
+  std::vector<std::vector<std::size_t>> overloaded_after;
 
   // Whether the robot carries more than its capacity by the loads that are shown.
   bool is_overloaded(std::size_t robot) const {

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -41,7 +42,8 @@ struct Place {
   Kind kind = Kind::nowhere;
   std::size_t index = 0;
   std::size_t other = 0;
-  std::string option;  // for Kind::option: its name in JSON ("min_ratio")
+  std::string
+      option;  // for Kind::option: its name or path in JSON ("min_ratio", "cargo[2].weight")
   std::size_t ring = 0, other_ring = 0;
 };
 
@@ -55,9 +57,16 @@ struct InputError {
 InputError bad_setting(std::string name, std::string why);
 
 // The place in words: "vertex 3", "edges 2 and 7", "line 4, column 2", "centre of mass", "link,
-// character 5", "hole 2, edge 3 and the outline's edge 5", or the name of an option. The text is
-// empty for `nowhere`. In words, vertices and edges count from 1. O(1).
+// character 5", "hole 2, edge 3 and the outline's edge 5", "robot 4" for supports[3], "load 3" for
+// cargo[2], or the name of an option. The text is empty for `nowhere`. Words count from 1. O(1).
 std::string describe(const Place& place);
+
+// path_of() returns the path in JSON of the member at fault, which counts from 0: "polygon[2]",
+// "holes[0][3]", "centre_of_mass" or an option. It is empty for the other kinds. place_of_path()
+// returns the place of such a path, which may lead farther into the member, or begin with "settings."
+// or "document.", which does not count. O(1).
+std::string path_of(const Place& place);
+Place place_of_path(std::string_view path);
 
 // A value, or the error that prevented it.
 template <class T>

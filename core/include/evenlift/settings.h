@@ -128,6 +128,9 @@ struct SettingRow {
     bool (*allowed)(const Document& document, const SettingRange& range);
     std::string (*kind)(const SettingRange& range);
     bool is_number = false;  // whether the value is a number (or unset) rather than text
+    bool is_whole = false;   // of numbers
+    // The names of the values one after another, then an empty text; null if the values are no names.
+    std::string_view (*names)(std::size_t i) = nullptr;
     // Returns the first wrong part of a list; empty if that part is too long to quote.
     std::string_view (*refused)(std::string_view text) = nullptr;
   };

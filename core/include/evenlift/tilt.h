@@ -18,7 +18,7 @@
 
 namespace evenlift {
 
-// The disturbance that follows from the settings `com_radius`, `com_height`, `slope`,
+// The disturbance that follows from the settings `com_radius`, height of C, `slope`,
 // `acceleration`, `give` and `uneven`. O(1).
 Disturbance disturbance_of(const Shown& shown);
 

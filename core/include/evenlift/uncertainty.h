@@ -25,7 +25,7 @@ double tipping_distance(const Points& hull, const Vec2& centre, double diameter)
 // coordinates. disturbance_of() (tilt.h) makes it of the settings.
 struct Disturbance {
   double com_radius = 0;       // E: C is off by up to this
-  double com_height = 0;       // h: the height of C above the plane of the lifting points
+  double height = 0;           // h: the height of C above the plane of the lifting points
   double slope = 0;            // the greatest slope of that plane, as a ratio
   double acceleration = 0;     // the greatest acceleration along the ground, in g
   double uneven = 0;           // heights are off by up to this
@@ -33,9 +33,7 @@ struct Disturbance {
 
   // Whether anything but C itself may differ, and whether anything may; then the loads are ranges.
   // The height of C alone changes nothing. O(1).
-  bool besides_com() const {
-    return slope > 0 || uneven > 0 || (com_height > 0 && acceleration > 0);
-  }
+  bool besides_com() const { return slope > 0 || uneven > 0 || (height > 0 && acceleration > 0); }
   bool any() const { return com_radius > 0 || besides_com(); }
   bool operator==(const Disturbance&) const = default;
 };

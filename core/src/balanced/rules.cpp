@@ -176,8 +176,6 @@ std::vector<LiftingPoint> others(const std::vector<LiftingPoint>& robots, const 
 
 namespace {
 
-constexpr double usual_apart = 0.12;  // in units of R
-
 int compare(double a, double b, double slack) { return a > b + slack ? 1 : b > a + slack ? -1 : 0; }
 
 int compare_spreads(double a, double b) { return compare(a, b, spread_tie * std::max(a, b)); }

@@ -79,6 +79,12 @@ std::string text_of(Name value, const SettingRange&) {
   return std::string(name(value));
 }
 
+template <Named Name>
+std::string_view name_at(std::size_t i) {
+  const auto& all = all_of(Name{});
+  return i < std::size(all) ? name(all[i]) : std::string_view();
+}
+
 // --- Optional values of the types above
 
 template <class Value>

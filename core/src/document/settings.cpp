@@ -46,8 +46,11 @@ constexpr SettingRow::Access of() {
       [](const Document& document, const SettingRange& range) {
         return setting_value::is_within(at<path...>(document), range);
       },
-      nullptr, std::is_arithmetic_v<Value>};
+      nullptr,
+      std::is_arithmetic_v<Value>,
+      std::is_integral_v<Value>};
   if constexpr (is_plain<Value>) access.kind = setting_value::kind_in_words<Value>;
+  if constexpr (std::is_enum_v<Value>) access.names = setting_value::name_at<Value>;
   return access;
 }
 
@@ -163,6 +166,7 @@ constexpr SettingRow rows[] = {
      .rule =
          "must be none or some of candidates, chords, hull, clockwise, counterclockwise, tipping, halo, "
          "tilt and load",
+     .option = {OptionGroup::none, {}, "what a picture or link shows"},
      .in_document = Listed::always,
      .plans = false,
      .told = false,
@@ -172,6 +176,7 @@ constexpr SettingRow rows[] = {
      .subject = "the step",
      .changes = Changes::shown,
      .range = {0, 4294967295.0, "none"},
+     .option = {OptionGroup::none, {}, "step of the walkthrough that a link opens"},
      .in_document = Listed::always,
      .plans = false,
      .told = false,
@@ -343,30 +348,37 @@ constexpr SettingRow rows[] = {
      .name = "robot_radius",
      .subject = "the radius of a robot",
      .range = any_length,
+     .option = {OptionGroup::none,
+                {},
+                "radius of the round body; it overrides that of robot, like the next four"},
      .is_length = true,
      .access = part_of_robot<&RobotSize::radius>()},
     {.setting = Setting::robot_reach,
      .name = "robot_reach",
      .subject = "the reach of a robot's arm",
      .range = any_length,
+     .option = {OptionGroup::none, {}, "length of the arm, from the body to the contact"},
      .is_length = true,
      .access = part_of_robot<&RobotSize::reach>()},
     {.setting = Setting::robot_depth,
      .name = "robot_depth",
      .subject = "the depth of a robot's hand",
      .range = any_length,
+     .option = {OptionGroup::none, {}, "length of the hand, from the contact to the lifting point"},
      .is_length = true,
      .access = part_of_robot<&RobotSize::depth>()},
     {.setting = Setting::robot_width,
      .name = "robot_width",
      .subject = "the width of a robot's hand",
      .range = any_length,
+     .option = {OptionGroup::none, {}, "width of the hand"},
      .is_length = true,
      .access = part_of_robot<&RobotSize::width>()},
     {.setting = Setting::robot_gap,
      .name = "robot_gap",
      .subject = "the gap between robots",
      .range = any_length,
+     .option = {OptionGroup::none, {}, "free distance between two bodies"},
      .is_length = true,
      .access = part_of_robot<&RobotSize::gap>()},
     {.setting = Setting::supports,
@@ -405,6 +417,10 @@ constexpr SettingRow rows[] = {
      .counts_for = CountsFor::given,
      .rule = "must be a number greater than 0, or none, for each support, such as 30,none,40; or "
              "nothing",
+     .option =
+         {OptionGroup::none,
+          {},
+          "capacity of each support, as many as there are supports; it overrides those in supports"},
      .record = 17,
      .in_document = Listed::if_changed,
      .in_result = Listed::if_changed,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 
 #include "evenlift/closest_name.h"
 #include "evenlift/wording.h"
@@ -37,7 +38,75 @@ std::string one_or_two(const Words& words, const Place& place) {
                          : say(words.two_in_hole, {place.ring, first, second});
 }
 
+// Takes "[2]" from the beginning of a path.
+std::optional<std::size_t> take_index(std::string_view& path) {
+  const std::size_t close = path.find(']');
+  if (!path.starts_with('[') || close == std::string_view::npos) return std::nullopt;
+  std::size_t index = 0;
+  for (const char c : path.substr(1, close - 1)) {
+    if (c < '0' || c > '9' || index > 1u << 30) return std::nullopt;
+    index = 10 * index + static_cast<std::size_t>(c - '0');
+  }
+  path.remove_prefix(close + 1);
+  return index;
+}
+
+// Takes a name from the beginning of a path that goes on with an index.
+bool take_name(std::string_view& path, std::string_view name) {
+  if (!path.starts_with(name) || path.substr(name.size(), 1) != "[") return false;
+  path.remove_prefix(name.size());
+  return true;
+}
+
+std::string option_in_words(std::string_view option) {
+  for (const auto& [name, words] :
+       {std::pair("supports", "robot {number}"), {"cargo", "load {number}"}}) {
+    std::string_view path = option;
+    if (!take_name(path, name)) continue;
+    if (const auto index = take_index(path)) return say(words, {*index + 1});
+  }
+  return std::string(option);
+}
+
 }  // namespace
+
+std::string path_of(const Place& place) {
+  const auto index = [](std::size_t at) { return '[' + std::to_string(at) + ']'; };
+  switch (place.kind) {
+    case Place::Kind::vertex:
+    case Place::Kind::edge:
+      return (place.ring == 0 ? "polygon" : "holes" + index(place.ring - 1)) + index(place.index);
+    case Place::Kind::hole:
+      return "holes" + index(place.ring - 1);
+    case Place::Kind::centre_of_mass:
+      return "centre_of_mass";
+    case Place::Kind::option:
+      return place.option;
+    case Place::Kind::nowhere:
+    case Place::Kind::line:
+    case Place::Kind::link:
+      break;
+  }
+  return {};
+}
+
+Place place_of_path(std::string_view path) {
+  for (const std::string_view container : {"settings.", "document."})
+    if (path.starts_with(container)) path.remove_prefix(container.size());
+  const std::string_view whole = path;
+  if (path.empty()) return {};
+  if (path == "centre_of_mass" || path.starts_with("centre_of_mass["))
+    return {Place::Kind::centre_of_mass, 0, 0, {}};
+  if (take_name(path, "polygon"))
+    if (const auto vertex = take_index(path)) return {Place::Kind::vertex, *vertex, *vertex, {}};
+  if (take_name(path, "holes"))
+    if (const auto hole = take_index(path)) {
+      const auto vertex = take_index(path);
+      if (!vertex) return {Place::Kind::hole, 0, 0, {}, *hole + 1, *hole + 1};
+      return {Place::Kind::vertex, *vertex, *vertex, {}, *hole + 1, *hole + 1};
+    }
+  return {Place::Kind::option, 0, 0, std::string(whole)};
+}
 
 InputError bad_setting(std::string name, std::string why) {
   return {ErrorCode::bad_setting, std::move(why), {Place::Kind::option, 0, 0, std::move(name)}};
@@ -59,7 +128,7 @@ std::string describe(const Place& place) {
     case Place::Kind::centre_of_mass:
       return say("centre of mass");
     case Place::Kind::option:
-      return place.option;
+      return option_in_words(place.option);
     case Place::Kind::link:
       return place.index == 0 ? say("link") : say("link, character {number}", {place.index});
   }

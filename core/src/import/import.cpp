@@ -189,6 +189,45 @@ Result<Import> read_shapes(std::string_view text, const ImportOptions& options) 
   return import && options.project ? projected(std::move(import).value()) : std::move(import);
 }
 
+std::size_t count_parts(const Import& import) {
+  const auto sheets = std::count_if(import.shapes.begin(), import.shapes.end(),
+                                    [](const ImportedShape& each) { return each.sheet; });
+  return import.shapes.size() - static_cast<std::size_t>(sheets);
+}
+
+namespace {
+
+InputError no_choice(std::string why) { return {ErrorCode::unsupported, std::move(why), {}}; }
+
+Result<std::size_t> only_part(const Import& import) {
+  if (count_parts(import) == 1 && !import.doubtful) return std::size_t{0};
+  if (!import.doubtful) return no_choice(say("it has {number} shapes", {import.shapes.size()}));
+  return no_choice(say("what does not close is larger than the largest shape") +
+                   (import.notes.empty() ? std::string() : " (" + import.notes[0] + ")"));
+}
+
+}  // namespace
+
+Result<std::size_t> choose_shape(const Import& import, const std::optional<std::string>& wanted) {
+  if (!wanted) return only_part(import);
+  const std::vector<ImportedShape>& shapes = import.shapes;
+  const std::optional<std::uint64_t> number = read_whole(*wanted);
+  if (number && *number >= 1 && *number <= shapes.size())
+    return static_cast<std::size_t>(*number) - 1;
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (shapes[i].name != *wanted) continue;
+    if (found)
+      return no_choice(
+          say("shapes {first} and {second} are both called {name}; give a number instead",
+              {*found + 1, i + 1, in_quotes(*wanted)}));
+    found = i;
+  }
+  if (found) return *found;
+  return no_choice(say("expected a number from 1 to {most} or a shape's name, not {given}",
+                       {shapes.size(), in_quotes(*wanted)}));
+}
+
 std::string leave_out_holes(std::vector<ImportedShape>& shapes) {
   std::size_t count = 0;
   for (ImportedShape& shape : shapes) {

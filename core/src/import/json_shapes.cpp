@@ -2,7 +2,7 @@
 #include <cmath>
 #include <vector>
 
-#include "document/setting_values.h"
+#include "document/document_json.h"
 #include "evenlift/formats.h"
 #include "evenlift/numbers.h"
 #include "evenlift/polygon_with_holes.h"
@@ -36,22 +36,7 @@ class JsonShapes {
   bool is(std::optional<Index> at, Kind kind) const { return at && tree_.kind(*at) == kind; }
 
   Result<Import> result_of_evenlift();
-  std::optional<InputError> take_setting(Setting setting, Index at, std::string_view value,
-                                         Document& document) const;
-  std::string value_text(const SettingRow& row, Index at) const;
-  std::optional<InputError> take_row(const SettingRow& row, Document& document) const;
-  std::optional<InputError> take_teams(Document& document) const;
-  std::optional<InputError> take_stands(Document& document) const;
-  std::optional<InputError> take_moved(Document& document) const;
-  std::optional<InputError> take_supports(Document& document);
-  std::optional<InputError> take_uncertainty(Document& document) const;
-  std::optional<InputError> take_settings(Document& document);
-  std::optional<InputError> take_centre_of_mass(Document& document);
   std::optional<InputError> take_hole(Index ring, Document& document);
-  std::optional<InputError> take_holes(Document& document);
-  Result<Cargo> cargo_item(Index item);
-  std::optional<InputError> take_cargo(Document& document);
-  std::optional<InputError> take_overlays(Index overlays, Overlays& shown) const;
 
   void arrays(Index array, std::string_view name);
   // Such as {"x": 1, "y": 2} or {"lon": 1, "lat": 2}.
@@ -91,172 +76,15 @@ class JsonShapes {
 
 // --- evenlift's own results
 
-// Returns the integer's own digits, since a seed may have more than a double holds. For another
-// notation, such as 1e3, returns the text of `value`.
-std::string whole_text(std::string_view text, std::size_t last, double value) {
-  std::size_t first = last + 1;
-  while (first > 0 && text[first - 1] >= '0' && text[first - 1] <= '9') --first;
-  const std::string digits(text.substr(first, last + 1 - first));
-  const std::optional<double> read = read_number(digits);
-  return read && *read == value ? digits : shortest(value);
-}
-
-// Whether the boolean that ends here is true.
-bool is_true(std::string_view text, std::size_t last) {
-  return last >= 3 && text.substr(last - 3, 4) == "true";
-}
-
-std::optional<InputError> JsonShapes::take_overlays(Index overlays, Overlays& shown) const {
-  for (const NamedOverlay& overlay : all_overlays()) {
-    const auto at = tree_.member(overlays, overlay.name);
-    if (!at) continue;
-    if (!is(at, Kind::boolean)) return error(*at, ErrorCode::bad_setting, "expected true or false");
-    shown.*(overlay.shown) = is_true(text_, tree_.offset(*at));
-  }
-  return std::nullopt;
-}
-
-std::optional<InputError> JsonShapes::take_setting(Setting setting, Index at,
-                                                   std::string_view value,
-                                                   Document& document) const {
-  std::optional<InputError> wrong = read_setting(setting, value, document);
-  if (wrong) wrong = error(at, wrong->code, wrong->message);
-  return wrong;
-}
-
-std::string JsonShapes::value_text(const SettingRow& row, Index at) const {
-  if (tree_.kind(at) == Kind::string) return std::string(tree_.text(at));
-  if (tree_.kind(at) != Kind::number) return {};
-  return row.setting == Setting::seed || row.setting == Setting::step
-             ? whole_text(text_, tree_.offset(at), tree_.number(at))
-             : shortest(tree_.number(at));
-}
-
-// Null means unset. Objects and arrays with a setting's name are results.
-std::optional<InputError> JsonShapes::take_row(const SettingRow& row, Document& document) const {
-  const auto at = tree_.member(0, row.json.empty() ? row.name : row.json);
-  if (!at || is(at, Kind::null) || is(at, Kind::object) || is(at, Kind::array)) return std::nullopt;
-  return take_setting(row.setting, *at, value_text(row, *at), document);
-}
-
-// In a result, `teams` is a list. `requested_teams` is a number even for `max`, and 1 for balanced
-// robots and supports; then `teams_asked` holds the setting.
-std::optional<InputError> JsonShapes::take_teams(Document& document) const {
-  const bool one_team = is_one_team(document.settings.method);
-  for (const std::string_view name : {"teams", "requested_teams", "teams_asked"})
-    if (const auto at = tree_.member(0, name);
-        at && !is(at, Kind::array) && !(one_team && name == "requested_teams"))
-      if (auto wrong =
-              take_setting(Setting::teams, *at, value_text(row_of(Setting::teams), *at), document))
-        return wrong;
-  return std::nullopt;
-}
-
-// A result always names its goal. The default counts as unset, so that it does not persist when the
-// method changes.
-void forget_usual_goal(Settings& settings) {
-  Settings usual = settings;
-  usual.goal.reset();
-  if (settings.goal == goal_of(usual)) settings.goal.reset();
-}
-
-std::optional<InputError> JsonShapes::take_settings(Document& document) {
-  for (const SettingRow& row : all_settings()) {
-    if (row.changes == Changes::view || row.setting == Setting::teams) continue;
-    if (row.setting == Setting::com) continue;
-    if (auto wrong = take_row(row, document)) return wrong;
-  }
-  if (auto wrong = take_teams(document)) return wrong;
-  forget_usual_goal(document.settings);
-  if (const auto at = tree_.member(0, "overlays"); is(at, Kind::object))
-    if (auto wrong = take_overlays(*at, document.shown.overlays)) return wrong;
-  if (auto wrong = take_stands(document)) return wrong;
-  if (auto wrong = take_moved(document)) return wrong;
-  if (auto wrong = take_supports(document)) return wrong;
-  return take_uncertainty(document);
-}
-
-// Comes after the other settings, since they put moved robots back.
-std::optional<InputError> JsonShapes::take_moved(Document& document) const {
-  const auto at = tree_.member(0, "moved");
-  if (!is(at, Kind::string)) return std::nullopt;
-  auto moved = read_moved(tree_.text(*at));
-  if (!moved)
-    return error(*at, ErrorCode::bad_setting,
-                 "robots moved by hand must be written like 3:0.25,5:0.5,9:1 or 2@3:0.25/9");
-  document.moved = *std::move(moved);
-  return std::nullopt;
-}
-
-// Results contain supports and capacities if the method is `given`.
-std::optional<InputError> JsonShapes::take_supports(Document& document) {
-  const auto supports = tree_.member(0, "supports"),
-             capacities = tree_.member(0, "support_capacities");
-  if (!is(supports, Kind::array) || document.settings.method != Method::given) return std::nullopt;
-  Result<Points> read = points(*supports);
-  if (!read) return read.error();
-  if (read->size() > most_supports)
-    return error(*supports, ErrorCode::bad_setting, requirement(Setting::supports));
-  document.settings.supports = std::move(read).value();
-  if (!is(capacities, Kind::array)) return std::nullopt;
-  std::string text;
-  for (Index i = tree_.first(*capacities); i != tree_.end(*capacities); i = tree_.next(i))
-    text += (text.empty() ? "" : ",") +
-            (tree_.kind(i) == Kind::number ? shortest(tree_.number(i)) : std::string("none"));
-  return take_setting(Setting::support_capacities, *capacities, text, document);
-}
-
-// The members are named like the settings of the robots' size, without the prefix.
-std::optional<InputError> JsonShapes::take_stands(Document& document) const {
-  const auto robot = tree_.member(0, "robot");
-  if (!is(robot, Kind::object)) return std::nullopt;
-  constexpr std::string_view beginning = "robot_";
-  for (const SettingRow& row : all_settings()) {
-    if (!row.name.starts_with(beginning)) continue;
-    const auto at = tree_.member(*robot, row.name.substr(beginning.size()));
-    if (!is(at, Kind::number)) continue;
-    if (auto wrong = take_setting(row.setting, *at, shortest(tree_.number(*at)), document))
-      return wrong;
-  }
-  return std::nullopt;
-}
-
-// A result contains these next to values computed with them.
-std::optional<InputError> JsonShapes::take_uncertainty(Document& document) const {
-  const auto within = [&](const char* object, const char* member) {
-    const auto at = tree_.member(0, object);
-    return is(at, Kind::object) ? tree_.member(*at, member) : at;
-  };
-  for (const auto& [setting, at] : {std::pair(Setting::capacity, within("capacity", "limit")),
-                                    {Setting::com_radius, within("robustness", "com_radius")},
-                                    {Setting::accuracy, within("accuracy", "asked")},
-                                    {Setting::extra, within("extra", "weight")},
-                                    {Setting::accuracy, within("accuracy", "asked")}})
-    // A result always has an accuracy, 0 if none was asked for.
-    if (is(at, Kind::number) && (setting != Setting::accuracy || tree_.number(*at) != 0))
-      if (auto wrong = take_setting(setting, *at, shortest(tree_.number(*at)), document))
-        return wrong;
-  return std::nullopt;
-}
-
-// A result always names its centre of mass. One that equals the centroid bit for bit counts as
-// unset.
-void forget_centroid(Document& document) {
-  const Result<PolygonWithHoles> object = object_of(document);
-  if (object && document.centre_of_mass && object->centroid() == *document.centre_of_mass)
-    document.centre_of_mass.reset();
-}
-
-// With cargo, `centre_of_mass` is that of object and cargo together.
-std::optional<InputError> JsonShapes::take_centre_of_mass(Document& document) {
-  auto centre = tree_.member(0, "own_centre_of_mass");
-  if (!centre) centre = tree_.member(0, "centre_of_mass");
-  if (!centre || is(centre, Kind::null)) return std::nullopt;
-  const Result<Vec2> at = point(*centre);
-  if (!at) return at.error();
-  document.centre_of_mass = *at;
-  forget_centroid(document);
-  return std::nullopt;
+Result<Import> JsonShapes::result_of_evenlift() {
+  gathering_.import.format = "result of evenlift";
+  gathering_.import.has_settings = true;
+  DocumentReader reader(text_, tree_, DocumentReader::From::file);
+  Result<Document> document = read_written(reader, 0);
+  if (!document) return document.error();
+  gathering_.add(*std::move(document), "", "polygon");
+  for (const std::string& notice : reader.notices()) gathering_.import.notes.push_back(notice);
+  return gathering_.finish(error(0, ErrorCode::too_few_vertices, no_vertices));
 }
 
 std::optional<InputError> JsonShapes::take_hole(Index ring, Document& document) {
@@ -267,66 +95,6 @@ std::optional<InputError> JsonShapes::take_hole(Index ring, Document& document) 
   if (hole->empty()) return error(ring, ErrorCode::too_few_vertices, no_vertices_of_hole);
   document.holes.push_back(std::move(hole).value());
   return std::nullopt;
-}
-
-std::optional<InputError> JsonShapes::take_holes(Document& document) {
-  const auto holes = tree_.member(0, "holes");
-  if (!holes || is(holes, Kind::null)) return std::nullopt;
-  if (!is(holes, Kind::array))
-    return error(*holes, ErrorCode::bad_syntax,
-                 "expected an array of holes, each an array of points [x, y]");
-  for (Index i = tree_.first(*holes); i != tree_.end(*holes); i = tree_.next(i))
-    if (auto wrong = take_hole(i, document)) return wrong;
-  return std::nullopt;
-}
-
-// The name may be missing.
-Result<Cargo> JsonShapes::cargo_item(Index item) {
-  const bool is_object = tree_.kind(item) == Kind::object;
-  const auto at = is_object ? tree_.member(item, "at") : std::nullopt;
-  const auto weight = is_object ? tree_.member(item, "weight") : std::nullopt;
-  const auto name = is_object ? tree_.member(item, "name") : std::nullopt;
-  if (!at || !is(weight, Kind::number) || (name && !is(name, Kind::string)))
-    return error(item, ErrorCode::bad_syntax,
-                 R"(expected cargo like {"at": [x, y], "weight": w, "name": "..."})");
-  const Result<Vec2> place = point(*at);
-  if (!place) return place.error();
-  Cargo cargo{*place, tree_.number(*weight), name ? std::string(tree_.text(*name)) : ""};
-  if (const char* fault = fault_of_cargo_weight(cargo.weight))
-    return error(*weight, ErrorCode::bad_setting, fault);
-  if (const char* fault = fault_of_cargo_name(cargo.name))
-    return error(*name, ErrorCode::bad_setting, fault);
-  return cargo;
-}
-
-std::optional<InputError> JsonShapes::take_cargo(Document& document) {
-  const auto items = tree_.member(0, "cargo");
-  if (!items || is(items, Kind::null)) return std::nullopt;
-  if (!is(items, Kind::array))
-    return error(*items, ErrorCode::bad_syntax, "expected an array of cargo");
-  for (Index i = tree_.first(*items); i != tree_.end(*items); i = tree_.next(i)) {
-    if (document.settings.cargo.size() == max_cargo)
-      return error(i, ErrorCode::bad_setting, no_more_cargo);
-    Result<Cargo> item = cargo_item(i);
-    if (!item) return item.error();
-    document.settings.cargo.push_back(std::move(item).value());
-  }
-  return std::nullopt;
-}
-
-Result<Import> JsonShapes::result_of_evenlift() {
-  gathering_.import.format = "result of evenlift";
-  gathering_.import.has_settings = true;
-  Result<Points> vertices = points(*tree_.member(0, "polygon"));
-  if (!vertices) return vertices.error();
-  Document document;
-  document.vertices = std::move(vertices).value();
-  if (auto wrong = take_holes(document)) return *std::move(wrong);
-  if (auto wrong = take_centre_of_mass(document)) return *std::move(wrong);
-  if (auto wrong = take_cargo(document)) return *std::move(wrong);
-  if (auto wrong = take_settings(document)) return *std::move(wrong);
-  gathering_.add(std::move(document), "", "polygon");
-  return gathering_.finish(error(0, ErrorCode::too_few_vertices, no_vertices));
 }
 
 // --- Points
@@ -691,6 +459,33 @@ Result<Import> JsonShapes::read() {
 }
 
 }  // namespace
+
+namespace {
+
+// A result always names its goal. The default counts as unset, so that it does not persist when the
+// method changes.
+void forget_usual_goal(Settings& settings) {
+  Settings usual = settings;
+  usual.goal.reset();
+  if (settings.goal == goal_of(usual)) settings.goal.reset();
+}
+
+// It also always names its centre of mass. One that equals the centroid bit for bit counts as unset.
+void forget_centroid(Document& document) {
+  const Result<PolygonWithHoles> object = object_of(document);
+  if (object && document.centre_of_mass && object->centroid() == *document.centre_of_mass)
+    document.centre_of_mass.reset();
+}
+
+}  // namespace
+
+Result<Document> read_written(DocumentReader& reader, JsonTree::Index object) {
+  Document document;
+  if (auto wrong = reader.read(object, document)) return *std::move(wrong);
+  forget_usual_goal(document.settings);
+  forget_centroid(document);
+  return document;
+}
 
 Result<Import> read_json_shapes(std::string_view text, const ImportOptions& options) {
   const Result<JsonTree> tree = JsonTree::read(text);

@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "document/document_json.h"
 #include "evenlift/document.h"
 #include "evenlift/import.h"
 
@@ -14,6 +15,9 @@ Result<Import> read_dxf(std::string_view text, const ImportOptions& options);
 Result<Import> read_columns(std::string_view text, const ImportOptions& options);
 // Reads GeoJSON, arrays of points, and evenlift's results.
 Result<Import> read_json_shapes(std::string_view text, const ImportOptions& options);
+
+// The document that evenlift wrote, as a result or by itself: its defaults count as unset.
+Result<Document> read_written(DocumentReader& reader, JsonTree::Index object);
 
 // Whether the text begins, after any comments, with a DXF section, that is, with the code 0 on one
 // line and the value SECTION on the next. O(bytes up to there).

@@ -66,7 +66,9 @@ class Handler {
   std::optional<InputError> error() { return std::move(error_); }
 
   bool null() { return sink_.value({JsonValue::Kind::null, offset(), 0, {}}); }
-  bool boolean(bool) { return sink_.value({JsonValue::Kind::boolean, offset(), 0, {}}); }
+  bool boolean(bool value) {
+    return sink_.value({JsonValue::Kind::boolean, offset(), value ? 1.0 : 0.0, {}});
+  }
   // The library reports "-0" as the signed integer 0, other non-negative integers as unsigned, and
   // integers beyond 64 bits as number_float.
   bool number_integer(std::int64_t integer) {
@@ -87,9 +89,16 @@ class Handler {
                    const nlohmann::json::exception& exception) {
     const std::size_t where = position == 0 ? 0 : position - 1;
     constexpr int number_overflow = 406;
-    error_ = exception.id == number_overflow
-                 ? text_error(ErrorCode::bad_coordinate, "the number is too large", text_, where)
-                 : text_error(ErrorCode::bad_syntax, reason(exception.what()), text_, where);
+    const std::string_view rest = text_.substr(std::min(where, text_.size()));
+    const std::string_view why = exception.what();
+    if (exception.id == number_overflow)
+      error_ = text_error(ErrorCode::bad_coordinate, "this number is too large", text_, where);
+    else if (rest.starts_with("NaN") || rest.starts_with("Infinity"))
+      error_ = text_error(ErrorCode::bad_coordinate, "this is not a finite number", text_, where);
+    else if (why.find("surrogate") != std::string_view::npos)
+      error_ = text_error(ErrorCode::bad_syntax, half_a_character, text_, where);
+    else
+      error_ = text_error(ErrorCode::bad_syntax, reason(why), text_, where);
     return false;
   }
 
@@ -144,8 +153,7 @@ class TreeBuilder final : public JsonSink {
     const auto at = static_cast<JsonTree::Index>(tree_.nodes_.size());
     std::uint32_t string = 0;
     if (value.kind == JsonValue::Kind::string) string = keep(value.text);
-    tree_.nodes_.push_back({value.kind == JsonValue::Kind::number ? value.number : 0, at + 1,
-                            static_cast<std::uint32_t>(value.offset), string,
+    tree_.nodes_.push_back({value.number, at + 1, static_cast<std::uint32_t>(value.offset), string,
                             std::exchange(name_, 0), value.kind});
     if (value.kind == JsonValue::Kind::object || value.kind == JsonValue::Kind::array)
       open_.push_back(at);
@@ -166,6 +174,19 @@ class TreeBuilder final : public JsonSink {
   }
 
   std::optional<std::size_t> too_many_at() const { return too_many_at_; }
+
+  // Of the value that would come next.
+  std::string path() const {
+    std::string path;
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      const bool innermost = i + 1 == open_.size();
+      const auto next =
+          innermost ? static_cast<JsonTree::Index>(tree_.nodes_.size()) : open_[i + 1];
+      const std::uint32_t name = innermost ? name_ : tree_.nodes_[next].name;
+      tree_.add_to_path(path, open_[i], next, tree_.strings_[name]);
+    }
+    return path;
+  }
   JsonTree take() { return std::move(tree_); }
 
  private:
@@ -182,12 +203,37 @@ class TreeBuilder final : public JsonSink {
 
 Result<JsonTree> JsonTree::read(std::string_view text) {
   TreeBuilder builder;
-  if (auto invalid = read_json(text, builder)) return *std::move(invalid);
+  if (auto invalid = read_json(text, builder)) {
+    invalid->place.option = builder.path();
+    return *std::move(invalid);
+  }
   if (const auto offset = builder.too_many_at())
     return text_error(ErrorCode::unsupported, "the JSON has more than 4194304 values", text,
                       *offset);
   static_assert(max_json_values == 4194304, "the message names the number");
   return builder.take();
+}
+
+void JsonTree::add_to_path(std::string& path, Index parent, std::size_t before,
+                           std::string_view name) const {
+  if (kind(parent) == Kind::object) {
+    (path += path.empty() ? "" : ".") += name;
+    return;
+  }
+  std::size_t count = 0;
+  for (Index i = first(parent); i < before; i = next(i)) ++count;
+  path += '[' + std::to_string(count) + ']';
+}
+
+std::string JsonTree::path(Index i) const {
+  std::string path;
+  for (Index at = root(); at != i;) {
+    Index child = first(at);
+    while (next(child) <= i) child = next(child);
+    add_to_path(path, at, child, this->name(child));
+    at = child;
+  }
+  return path;
 }
 
 std::optional<JsonTree::Index> JsonTree::member(Index object, std::string_view wanted) const {

@@ -184,13 +184,14 @@ std::vector<std::optional<double>> capacities_of(const ShownPlacement& of) {
 }
 
 bool overloads(const ShownPlacement& of, const std::optional<RestOfRobots>& rest) {
-  return rest && rest->stays && !overloaded_robots(of, rest->ends).empty();
+  return !overloaded_after(of, {rest}).front().empty();
 }
 
-std::vector<bool> overloads_after(const ShownPlacement& of,
-                                  const std::vector<std::optional<RestOfRobots>>& failures) {
-  std::vector<bool> after;
-  for (const auto& rest : failures) after.push_back(overloads(of, rest));
+std::vector<std::vector<std::size_t>> overloaded_after(
+    const ShownPlacement& of, const std::vector<std::optional<RestOfRobots>>& failures) {
+  std::vector<std::vector<std::size_t>> after(failures.size());
+  for (std::size_t i = 0; i < failures.size(); ++i)
+    if (failures[i] && failures[i]->stays) after[i] = overloaded_robots(of, failures[i]->ends);
   return after;
 }
 

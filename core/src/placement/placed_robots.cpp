@@ -98,7 +98,7 @@ Disturbance disturbance_of(const Shown& shown) {
 
 std::optional<Tilt> tilt_of(const Disturbance& disturbance, const DisturbanceEffect& effect,
                             double tipping_distance, double diameter) {
-  const double height = disturbance.com_height, k2 = disturbance.acceleration;
+  const double height = disturbance.height, k2 = disturbance.acceleration;
   if (!(height > 0)) return std::nullopt;
   const double most = slope_within(tipping_distance - disturbance.com_radius, height);
   Tilt tilt;

@@ -361,6 +361,14 @@ Result<Document> with_even_supports(const Document& document) {
   return moved;
 }
 
+std::vector<SupportMove> support_moves(const Document& before, const Document& after) {
+  const Points &from = before.settings.supports, &to = after.settings.supports;
+  std::vector<SupportMove> moves;
+  for (std::size_t i = 0; i < from.size() && i < to.size(); ++i)
+    if (from[i] != to[i]) moves.push_back({i, from[i], to[i]});
+  return moves;
+}
+
 Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robots,
                       bool search_ended, bool cut_short) {
   placement.teams = {team_of(placement, robots)};

@@ -412,12 +412,22 @@ void add_com_radius(Report& report, const ShownPlacement& of) {
   report.com_radius = {within(report.capacities), within(no_limits)};
 }
 
+Report::Effective effective(const Placement& placement) {
+  const Settings& settings = placement.settings;
+  const Polygon& polygon = placement.polygon();
+  return {hold_requirements(placement).clear,
+          settings.apart.value_or(usual_apart *
+                                  farthest_vertex(placement.object, placement.centre_of_mass)),
+          settings.snap.value_or(usual_snap * polygon.diameter())};
+}
+
 }  // namespace
 
 Report report_of(const ShownPlacement& of, const Asked& asked) {
   Report report;
   report.has_capacities = has_capacities(of);
   report.has_own_capacities = has_own_capacities(of);
+  report.effective = effective(of.placement);
   if (!of.placement.teams.empty()) {
     add_standing(report, of);
     add_loads(report, of, asked.model);
@@ -444,7 +454,7 @@ void complete(Report& report, const ShownPlacement& of, const Asked& asked) {
   }
   if (asked.failures && has_robots && report.failures.empty()) {
     report.failures = single_failures(of.placement, report.disturbance);
-    if (report.has_capacities) report.overloads_after = overloads_after(of, report.failures);
+    if (report.has_capacities) report.overloaded_after = overloaded_after(of, report.failures);
   }
   report.known.models |= asked.models;
   report.known.failures |= asked.failures;

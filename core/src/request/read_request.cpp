@@ -1,14 +1,16 @@
 #include "request/read_request.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
-#include "evenlift/formats.h"
-#include "evenlift/link.h"
+#include "document/document_json.h"
+#include "evenlift/closest_name.h"
 #include "evenlift/numbers.h"
 #include "evenlift/settings.h"
-#include "evenlift/similar_setting.h"
+#include "evenlift/wording.h"
+#include "import/readers.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {
@@ -20,317 +22,301 @@ using Problem = std::optional<InputError>;
 
 using Names = RequestKind::Names;
 
-// `members` are allowed next to "command".
+// `members` are allowed next to "command", and for a polygon also those of `of_polygon` and the
+// fields of a document.
 struct CommandEntry {
   std::string_view name;
   Command command;
+  bool has_polygon;
   Names members;
 };
 constexpr CommandEntry commands[] = {
-    {"place",
-     Command::place,
-     {"polygon", "holes", "text", "centre_of_mass", "settings", "candidates", "failures",
-      "even_out", "require"}},
-    {"candidates", Command::candidates, {"polygon", "holes", "text", "centre_of_mass", "settings"}},
-    {"svg", Command::svg, {"polygon", "holes", "text", "centre_of_mass", "settings", "candidates"}},
-    {"poses",
-     Command::poses,
-     {"polygon", "holes", "text", "centre_of_mass", "settings", "format", "frame", "origin"}},
-    {"link", Command::link, {"polygon", "holes", "text", "centre_of_mass", "settings"}},
-    {"experiment", Command::experiment, {"polygons", "settings"}},
-    {"version", Command::version, {}},
+    {"place", Command::place, true, {"candidates", "failures", "even_out", "require"}},
+    {"candidates", Command::candidates, true, {}},
+    {"svg", Command::svg, true, {"candidates"}},
+    {"poses", Command::poses, true, {"format", "frame", "origin"}},
+    {"link", Command::link, true, {}},
+    {"optimum", Command::optimum, true, {}},
+    {"trace", Command::trace, true, {}},
+    {"shapes", Command::shapes, false, {"text", "bytes", "flatten", "join", "project", "holes"}},
+    {"experiment", Command::experiment, false, {"polygons", "settings"}},
+    {"version", Command::version, false, {}},
 };
-constexpr const char* command_names =
-    "the command must be place, candidates, svg, poses, link, experiment or version";
+constexpr Names of_polygon = {"text",    "bytes", "document", "settings",
+                              "flatten", "join",  "project",  "shape"};
+constexpr Names of_measured = {"name", "set",   "polygon",  "holes",
+                               "text", "bytes", "document", "centre_of_mass"};
+
+bool is_among(const Names& names, std::string_view name) {
+  return !name.empty() && std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Base64 (RFC 4648), perhaps without the padding.
+std::optional<std::string> from_base64(std::string_view text) {
+  while (text.ends_with('=')) text.remove_suffix(1);
+  constexpr std::string_view digits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  bytes.reserve(text.size() / 4 * 3 + 3);
+  std::uint32_t held = 0;
+  int bits = 0;
+  for (const char c : text) {
+    const std::size_t digit = digits.find(c);
+    if (digit == std::string_view::npos) return std::nullopt;
+    held = held << 6 | static_cast<std::uint32_t>(digit);
+    bits += 6;
+    if (bits < 8) continue;
+    bits -= 8;
+    bytes += static_cast<char>(held >> bits & 0xff);
+  }
+  return bytes;
+}
 
 class Reader {
  public:
-  Reader(std::string_view text, const JsonTree& tree) : text_(text), tree_(tree) {}
+  Reader(std::string_view text, const JsonTree& tree)
+      : tree_(tree),
+        fields_(text, tree, DocumentReader::From::request),
+        written_(text, tree, DocumentReader::From::written_in_request) {}
 
-  Result<Request> read() const;
+  Result<Request> read();
   Problem check_members(Index object, const Names& allowed) const;
 
  private:
   InputError error(Index at, std::string message, ErrorCode code = ErrorCode::bad_syntax) const {
-    return text_error(code, std::move(message), text_, tree_.offset(at));
+    return fields_.error(at, std::move(message), code);
   }
-  Problem take_command(Request& request, Names& allowed) const;
-  Problem take_members(Index object, Request& request) const;
+  InputError unknown(Index at, const char* thing, const Names& others, bool fields) const;
+  Problem check_fields(Index object, const Names& others) const;
+  Problem take_command(Request& request, const CommandEntry*& entry) const;
+  Problem take_polygon(Index object, Request& request);
+  Problem take_members(Index object, Request& request);
   Problem take_pose_options(Index object, Request& request) const;
-
-  Result<Document> document(Index object) const;
-  Result<Points> points(Index array) const;
-  Result<Vec2> point(Index at) const;
-  Problem take_holes(Index array, Document& document) const;
-  Problem take_settings(Index object, Document& document) const;
-  Problem take_cargo(Index array, Document& document) const;
-  Result<Cargo> cargo_item(Index at) const;
-  Problem take_polygons(Request& request) const;
+  Problem take_import_options(Index object, ImportOptions& options) const;
+  Result<std::string> given_text(Index object) const;
+  Result<Document> document(Index object, const ImportOptions& options,
+                            std::vector<std::string>& notices);
+  Result<Document> shape_of(Index object, const ImportOptions& options,
+                            std::vector<std::string>& notices) const;
+  Problem take_polygons(Request& request);
   Problem take_experiment_settings(Request& request) const;
 
+  std::optional<Index> given(Index object, std::string_view name) const;
   Problem take_flag(Index object, std::string_view name, bool& flag) const;
+  Problem take_length(Index object, std::string_view name, std::optional<double>& length) const;
   Result<std::string> string(Index at, const char* what) const;
   std::string value_text(Index at) const;
-  std::optional<std::string> list_text(Index array, Setting setting) const;
 
-  std::string_view text_;
   const JsonTree& tree_;
+  DocumentReader fields_, written_;
 };
 
-// Keeps the digits of a number: a seed may have more than a double holds.
 std::string Reader::value_text(Index at) const {
   if (tree_.kind(at) == Kind::string) return std::string(tree_.text(at));
-  if (tree_.kind(at) != Kind::number) return {};
-  const std::size_t last = tree_.offset(at);
-  std::size_t first = last;
-  while (first > 0 &&
-         std::string_view("0123456789+-.eE").find(text_[first - 1]) != std::string_view::npos)
-    --first;
-  return std::string(text_.substr(first, last + 1 - first));
-}
-
-// Supports and their capacities may be arrays: [[0, 0], [1, 0]] becomes "0,0 1,0", and [30, null]
-// "30,none". Nothing if an item is of another kind.
-std::optional<std::string> Reader::list_text(Index array, Setting setting) const {
-  const bool points = setting == Setting::supports;
-  std::string text;
-  for (Index i = tree_.first(array); i != tree_.end(array); i = tree_.next(i)) {
-    const Kind kind = tree_.kind(i);
-    if (points ? kind != Kind::array || !point(i) : kind != Kind::number && kind != Kind::null)
-      return std::nullopt;
-    text += text.empty() ? "" : points ? " " : ",";
-    if (points)
-      text += value_text(tree_.first(i)) + "," + value_text(tree_.next(tree_.first(i)));
-    else
-      text += kind == Kind::null ? "none" : value_text(i);
-  }
-  return text;
+  return tree_.kind(at) == Kind::number ? shortest(tree_.number(at)) : std::string();
 }
 
 Result<std::string> Reader::string(Index at, const char* what) const {
-  if (tree_.kind(at) != Kind::string) return error(at, std::string(what) + " must be a string");
+  if (tree_.kind(at) != Kind::string)
+    return error(at, std::string(what) + " must be a text", ErrorCode::bad_setting);
   return std::string(tree_.text(at));
+}
+
+// Suggests the name that was probably meant.
+InputError Reader::unknown(Index at, const char* thing, const Names& others, bool fields) const {
+  std::vector<std::string_view> names(others.begin(), others.end());
+  names.insert(names.end(), of_polygon.begin(), of_polygon.end());
+  if (fields) {
+    names.insert(names.end(), {"holes", "centre_of_mass"});
+    for (const SettingRow& row : all_settings())
+      if (fields_.is_field(row.name)) names.push_back(row.name);
+  }
+  std::erase(names, std::string_view());
+  const std::string_view name = tree_.name(at), meant = closest_name(name, names);
+  std::string message = "there is no " + std::string(thing) + " \"" + std::string(name) + '"';
+  if (!meant.empty()) message += "; did you mean \"" + std::string(meant) + "\"?";
+  return error(at, std::move(message), fields ? ErrorCode::bad_setting : ErrorCode::unsupported);
 }
 
 Problem Reader::check_members(Index object, const Names& allowed) const {
   for (Index i = tree_.first(object); i != tree_.end(object); i = tree_.next(i)) {
-    const std::string name(tree_.name(i));
-    const bool is_command = object == tree_.root() && name == "command";
-    const bool is_allowed =
-        !name.empty() && std::find(allowed.begin(), allowed.end(), name) != allowed.end();
-    if (!is_command && !is_allowed)
-      return error(i, "there is no member \"" + name + "\" here", ErrorCode::unsupported);
+    const std::string_view name = tree_.name(i);
+    if (!is_among(allowed, name) && !(object == tree_.root() && name == "command"))
+      return unknown(i, "member", allowed, false);
     if (tree_.member(object, name) != i)
-      return error(i, "the member \"" + name + "\" is given twice");
+      return error(i, "\"" + std::string(name) + "\" is given twice");
+  }
+  return std::nullopt;
+}
+
+// Of a polygon's request: fields, and others.
+Problem Reader::check_fields(Index object, const Names& others) const {
+  const bool root = object == tree_.root();
+  for (Index i = tree_.first(object); i != tree_.end(object); i = tree_.next(i)) {
+    const std::string_view name = tree_.name(i);
+    if (fields_.is_field(name)) continue;
+    const bool known =
+        is_among(others, name) || (root && (name == "command" || is_among(of_polygon, name)));
+    if (!known) return unknown(i, "setting", others, true);
+    if (tree_.member(object, name) != i)
+      return error(i, "\"" + std::string(name) + "\" is given twice");
   }
   return std::nullopt;
 }
 
 Problem Reader::take_flag(Index object, std::string_view name, bool& flag) const {
-  const auto at = tree_.member(object, name);
+  const auto at = given(object, name);
   if (!at) return std::nullopt;
   if (tree_.kind(*at) != Kind::boolean)
-    return error(*at, "\"" + std::string(name) + "\" must be true or false");
-  // The tree has only the last letter's offset.
-  const std::size_t last = tree_.offset(*at);
-  flag = last >= 3 && text_.substr(last - 3, 4) == "true";
+    return error(*at, "this must be true or false", ErrorCode::bad_setting);
+  flag = tree_.is_true(*at);
+  return std::nullopt;
+}
+
+Problem Reader::take_length(Index object, std::string_view name,
+                            std::optional<double>& length) const {
+  const auto at = given(object, name);
+  if (!at) return std::nullopt;
+  if (tree_.kind(*at) != Kind::number || !(tree_.number(*at) > 0))
+    return error(*at, "this length must be a number above 0", ErrorCode::bad_setting);
+  length = tree_.number(*at);
   return std::nullopt;
 }
 
 // --- Polygons
 
-Result<Vec2> Reader::point(Index at) const {
-  double values[2] = {0, 0};
-  std::size_t count = 0;
-  if (tree_.kind(at) == Kind::array)
-    for (Index i = tree_.first(at); i != tree_.end(at); i = tree_.next(i)) {
-      if (tree_.kind(i) != Kind::number || count == 2)
-        return error(i, "expected a point [x, y] of two numbers");
-      values[count++] = tree_.number(i);
-    }
-  if (count != 2) return error(at, "expected a point [x, y] of two numbers");
-  return Vec2(values[0], values[1]);
+// Holes that are `false` are left out of the text.
+Problem Reader::take_import_options(Index object, ImportOptions& options) const {
+  if (auto wrong = take_length(object, "flatten", options.tolerance)) return wrong;
+  if (auto wrong = take_length(object, "join", options.join)) return wrong;
+  if (const auto at = tree_.member(object, "holes"); at && tree_.kind(*at) == Kind::boolean)
+    options.holes = tree_.is_true(*at);
+  return take_flag(object, "project", options.project);
 }
 
-Result<Points> Reader::points(Index array) const {
-  if (tree_.kind(array) != Kind::array)
-    return error(array, "the polygon must be an array of points [x, y]");
-  Points points;
-  for (Index i = tree_.first(array); i != tree_.end(array); i = tree_.next(i)) {
-    if (points.size() == max_vertices)
-      return error(i, "the polygon has more than 1048576 vertices", ErrorCode::too_many_vertices);
-    const Result<Vec2> vertex = point(i);
-    if (!vertex) return vertex.error();
-    points.push_back(*vertex);
-  }
-  return points;
+Result<std::string> Reader::given_text(Index object) const {
+  if (const auto text = tree_.member(object, "text")) return string(*text, "the text");
+  const auto bytes = tree_.member(object, "bytes");
+  if (!bytes) return error(object, "there is no text");
+  const Result<std::string> coded = string(*bytes, "the bytes, in base64,");
+  if (!coded) return coded.error();
+  auto text = from_base64(*coded);
+  if (!text) return error(*bytes, "this is not base64");
+  return *std::move(text);
 }
 
-// The holes replace those of the text.
-Problem Reader::take_holes(Index array, Document& document) const {
-  if (tree_.kind(array) != Kind::array)
-    return error(array, "\"holes\" must be an array of rings, each an array of points [x, y]");
-  document.holes.clear();
-  document.moved = {};
-  for (Index i = tree_.first(array); i != tree_.end(array); i = tree_.next(i)) {
-    if (document.holes.size() == max_holes)
-      return error(i, "the polygon has more than 1000 holes", ErrorCode::too_many_vertices);
-    Result<Points> ring = points(i);
-    if (!ring) return ring.error();
-    document.holes.push_back(std::move(ring).value());
-  }
-  return std::nullopt;
+// One shape of a text: what it is called or its number, or the only one.
+Result<Document> Reader::shape_of(Index object, const ImportOptions& options,
+                                  std::vector<std::string>& notices) const {
+  const Result<std::string> text = given_text(object);
+  if (!text) return text.error();
+  Result<Import> read = read_shapes(*text, options);
+  if (!read) return read.error();
+  std::optional<std::string> wanted;
+  const auto shape = given(object, "shape");
+  if (shape) wanted = value_text(*shape);
+  const Result<std::size_t> chosen = choose_shape(*read, wanted);
+  if (!chosen && wanted) return error(*shape, chosen.error().message, ErrorCode::bad_setting);
+  if (!chosen)
+    return InputError{ErrorCode::unsupported,
+                      say("{reason}; \"shape\" chooses one of them by its number or name",
+                          {chosen.error().message}),
+                      {}};
+  notices.insert(notices.end(), read->notes.begin(), read->notes.end());
+  return std::move(read->shapes[*chosen].document);
 }
 
-Result<Document> Reader::document(Index object) const {
-  const auto polygon = tree_.member(object, "polygon"), text = tree_.member(object, "text");
-  if (polygon.has_value() == text.has_value())
-    return error(
-        object,
-        "a polygon must be given either as \"polygon\", an array of points [x, y], or as \"text\"");
-  Document document;
-  if (polygon) {
-    Result<Points> vertices = points(*polygon);
-    if (!vertices) return vertices.error();
-    document.vertices = std::move(vertices).value();
-  } else {
-    const Result<std::string> given = string(*text, "\"text\"");
-    if (!given) return given.error();
-    Result<Document> read = looks_like_link(*given) ? decode_link(*given) : read_polygon(*given);
-    if (!read) return read.error();
-    document = std::move(read).value();
+Result<Document> Reader::document(Index object, const ImportOptions& options,
+                                  std::vector<std::string>& notices) {
+  const auto document = tree_.member(object, "document");
+  std::size_t given = 0;
+  for (const char* name : {"polygon", "text", "bytes", "document"})
+    given += tree_.member(object, name).has_value();
+  if (given != 1)
+    return error(object,
+                 "a polygon must be given either as \"polygon\", an array of points [x, y], as "
+                 "\"text\" or as \"document\"");
+  if (document) {
+    if (tree_.kind(*document) != Kind::object || !tree_.member(*document, "polygon"))
+      return error(*document, "a document must be an object with a \"polygon\"");
+    return read_written(written_, *document);
   }
-  if (const auto holes = tree_.member(object, "holes"))
-    if (auto wrong = take_holes(*holes, document)) return *std::move(wrong);
-  if (const auto centre = tree_.member(object, "centre_of_mass")) {
-    document.moved = {};  // as with any setting that determines places
-    if (tree_.kind(*centre) == Kind::null) {
-      document.centre_of_mass.reset();
-      return document;
-    }
-    const Result<Vec2> at = point(*centre);
-    if (!at) return at.error();
-    document.centre_of_mass = *at;
-  }
-  return document;
+  if (tree_.member(object, "polygon")) return Document{};
+  return shape_of(object, options, notices);
 }
 
-Problem Reader::take_settings(Index object, Document& document) const {
-  const auto settings = tree_.member(object, "settings");
+Problem Reader::take_polygon(Index object, Request& request) {
+  if (auto wrong = take_import_options(object, request.import)) return wrong;
+  Result<Document> read = document(object, request.import, request.notices);
+  if (!read) return read.error();
+  request.document = std::move(read).value();
+  if (auto wrong = fields_.read(object, request.document)) return wrong;
+  const auto settings = given(object, "settings");
   if (!settings) return std::nullopt;
   if (tree_.kind(*settings) != Kind::object)
-    return error(*settings, "\"settings\" must be an object");
-  for (Index i = tree_.first(*settings); i != tree_.end(*settings); i = tree_.next(i)) {
-    const std::string name(tree_.name(i));
-    const auto setting = setting_from_name(name);
-    if (!setting || *setting == Setting::loads || *setting == Setting::failed) {
-      const std::string similar(similar_setting(name));
-      return error(i,
-                   "there is no setting \"" + name + '"' +
-                       (similar.empty() ? "" : "; did you mean \"" + similar + "\"?"),
-                   ErrorCode::bad_setting);
-    }
-    for (Index k = tree_.first(*settings); k != i; k = tree_.next(k))
-      if (setting_from_name(tree_.name(k)) == setting)
-        return error(i, "the setting \"" + name + "\" is given twice", ErrorCode::bad_setting);
-  }
-  // Members have no order, so the robot's size is read before its parts, and supports before their
-  // capacities and the method.
-  for (const bool first : {true, false})
-    for (Index i = tree_.first(*settings); i != tree_.end(*settings); i = tree_.next(i)) {
-      const Setting setting = *setting_from_name(tree_.name(i));
-      if ((setting == Setting::robot || setting == Setting::supports) != first) continue;
-      if (tree_.kind(i) == Kind::null) continue;  // as if absent
-      if (setting == Setting::cargo && tree_.kind(i) == Kind::array) {
-        if (auto wrong = take_cargo(i, document)) return wrong;
-        continue;
-      }
-      const bool may_be_list =
-          setting == Setting::supports || setting == Setting::support_capacities;
-      const bool is_list = may_be_list && tree_.kind(i) == Kind::array;
-      const auto value = is_list ? list_text(i, setting) : std::optional(value_text(i));
-      if (!value) return setting_error(setting);
-      if (auto wrong = read_setting(setting, *value, document)) return wrong;
-    }
-  return std::nullopt;
+    return error(*settings, "the settings must be an object");
+  if (auto wrong = check_fields(*settings, {})) return wrong;
+  for (Index i = tree_.first(*settings); i != tree_.end(*settings); i = tree_.next(i))
+    if (tree_.member(object, tree_.name(i)))
+      return error(i, "\"" + std::string(tree_.name(i)) + "\" is given twice");
+  return fields_.read(*settings, request.document);
 }
 
-Result<Cargo> Reader::cargo_item(Index at) const {
-  if (tree_.kind(at) != Kind::object)
-    return error(at, "each item of cargo must be an object with \"at\" and \"weight\"");
-  if (auto wrong = check_members(at, {"at", "weight", "name"})) return *std::move(wrong);
-  Cargo item;
-  const auto place = tree_.member(at, "at"), weight = tree_.member(at, "weight"),
-             name = tree_.member(at, "name");
-  if (!place) return error(at, "an item of cargo has no \"at\"");
-  const Result<Vec2> point = this->point(*place);
-  if (!point) return point.error();
-  item.at = *point;
-  if (!weight || tree_.kind(*weight) != Kind::number)
-    return error(weight.value_or(at), "the \"weight\" of an item of cargo must be a number");
-  item.weight = tree_.number(*weight);
-  if (name) {
-    const Result<std::string> text = string(*name, "the \"name\" of an item of cargo");
-    if (!text) return text.error();
-    item.name = *text;
-  }
-  return item;
-}
-
-// Replaces the text's cargo. Ranges are checked later, with those of other settings.
-Problem Reader::take_cargo(Index array, Document& document) const {
-  std::vector<Cargo>& cargo = document.settings.cargo;
-  cargo.clear();
-  document.moved = {};
-  for (Index i = tree_.first(array); i != tree_.end(array); i = tree_.next(i)) {
-    if (cargo.size() == max_cargo) return setting_error(Setting::cargo);
-    const Result<Cargo> item = cargo_item(i);
-    if (!item) return item.error();
-    cargo.push_back(*item);
-  }
-  return std::nullopt;
+// A member that is there and not null.
+std::optional<Index> Reader::given(Index object, std::string_view name) const {
+  const auto at = tree_.member(object, name);
+  return at && tree_.kind(*at) != Kind::null ? at : std::nullopt;
 }
 
 Problem Reader::take_pose_options(Index object, Request& request) const {
-  if (const auto at = tree_.member(object, "format")) {
+  if (const auto at = given(object, "format")) {
     const auto format = pose_format_of_file("." + value_text(*at));
-    if (!format) return error(*at, "the format of poses must be csv, json or yaml");
+    if (!format)
+      return error(*at, "the format of poses must be csv, json or yaml", ErrorCode::bad_setting);
     request.pose_format = *format;
   }
-  if (const auto at = tree_.member(object, "origin")) {
+  if (const auto at = given(object, "origin")) {
     const auto origin = pose_origin_from_name(value_text(*at));
-    if (!origin) return error(*at, pose_origin_requirement);
+    if (!origin) return error(*at, pose_origin_requirement, ErrorCode::bad_setting);
     request.poses.origin = *origin;
   }
-  if (const auto at = tree_.member(object, "frame")) {
+  if (const auto at = given(object, "frame")) {
     request.poses.frame = value_text(*at);
     if (tree_.kind(*at) != Kind::string || !is_frame_name(request.poses.frame))
-      return error(*at, frame_requirement);
+      return error(*at, frame_requirement, ErrorCode::bad_setting);
   }
   return std::nullopt;
 }
 
 // --- Experiments
 
-Problem Reader::take_polygons(Request& request) const {
+Problem Reader::take_polygons(Request& request) {
   const auto array = tree_.member(0, "polygons");
   if (!array || tree_.kind(*array) != Kind::array)
-    return error(array.value_or(0), "an experiment needs \"polygons\", an array of objects");
+    return error(array.value_or(0), "an experiment needs an array of polygons");
   for (Index i = tree_.first(*array); i != tree_.end(*array); i = tree_.next(i)) {
     if (request.polygons.size() == max_request_polygons)
       return error(i, "there are more than 10000 polygons", ErrorCode::unsupported);
-    if (tree_.kind(i) != Kind::object) return error(i, "each of \"polygons\" must be an object");
-    if (auto wrong =
-            check_members(i, {"name", "set", "polygon", "holes", "text", "centre_of_mass"}))
-      return wrong;
+    if (tree_.kind(i) != Kind::object) return error(i, "each of the polygons must be an object");
+    if (auto wrong = check_members(i, of_measured)) return wrong;
+    Result<Document> given = document(i, {}, request.notices);
+    const auto is_text = [&](const char* name) {
+      const auto at = tree_.member(i, name);
+      return at && tree_.kind(*at) == Kind::string;
+    };
+    // A text that cannot be read is refused by itself; another fault is the request's.
+    const bool has_other = tree_.member(i, "polygon") || tree_.member(i, "document");
+    if (!given && (has_other || is_text("text") == is_text("bytes"))) return given.error();
+    if (given)
+      if (auto wrong = fields_.read(i, *given)) return wrong;
     NamedPolygon polygon{"polygons", "polygon " + std::to_string(request.polygons.size() + 1),
-                         document(i)};
+                         std::move(given)};
     for (const auto& [member, into] :
          {std::pair("name", &polygon.name), std::pair("set", &polygon.set)})
       if (const auto at = tree_.member(i, member)) {
-        const Result<std::string> given = string(*at, "a name");
-        if (!given) return given.error();
-        *into = *given;
+        const Result<std::string> name = string(*at, "a name");
+        if (!name) return name.error();
+        *into = *name;
       }
     request.polygons.push_back(std::move(polygon));
   }
@@ -338,10 +324,10 @@ Problem Reader::take_polygons(Request& request) const {
 }
 
 Problem Reader::take_experiment_settings(Request& request) const {
-  const auto settings = tree_.member(0, "settings");
+  const auto settings = given(0, "settings");
   if (!settings) return std::nullopt;
   if (tree_.kind(*settings) != Kind::object)
-    return error(*settings, "\"settings\" must be an object");
+    return error(*settings, "the settings must be an object");
   if (auto wrong = check_members(*settings, {"min_ratio", "samples", "max_teams", "max_balanced"}))
     return wrong;
   experiment::ExperimentSettings& given = request.experiment;
@@ -359,28 +345,36 @@ Problem Reader::take_experiment_settings(Request& request) const {
 
 // --- The whole request
 
-Problem Reader::take_command(Request& request, Names& allowed) const {
-  const auto at = tree_.member(0, "command");
-  const std::string name = at ? value_text(*at) : "place";
-  for (const CommandEntry& entry : commands) {
-    if (entry.name != name) continue;
-    request.command = entry.command;
-    allowed = entry.members;
-    return std::nullopt;
-  }
-  return error(at.value_or(0), command_names, ErrorCode::unsupported);
+std::string command_names() {
+  std::string names = "the command must be ";
+  for (std::size_t i = 0; i < std::size(commands); ++i)
+    names += (i == 0                         ? ""
+              : i + 1 == std::size(commands) ? " or "
+                                             : ", ") +
+             std::string(commands[i].name);
+  return names;
 }
 
-Problem Reader::take_members(Index object, Request& request) const {
-  Result<Document> given = document(object);
-  if (!given) return given.error();
-  request.document = std::move(given).value();
-  if (auto wrong = take_settings(object, request.document)) return wrong;
-  if (auto wrong = take_flag(object, "candidates", request.candidates)) return wrong;
-  if (auto wrong = take_flag(object, "failures", request.failures)) return wrong;
-  if (auto wrong = take_flag(object, "even_out", request.even_out)) return wrong;
-  if (const auto at = tree_.member(object, "require")) {
-    const Result<std::string> required = string(*at, "\"require\"");
+Problem Reader::take_command(Request& request, const CommandEntry*& entry) const {
+  const auto at = tree_.member(0, "command");
+  const std::string name = at ? value_text(*at) : "place";
+  for (const CommandEntry& each : commands) {
+    if (each.name != name) continue;
+    request.command = each.command;
+    entry = &each;
+    return std::nullopt;
+  }
+  return error(at.value_or(0), command_names(), ErrorCode::unsupported);
+}
+
+Problem Reader::take_members(Index object, Request& request) {
+  if (auto wrong = take_polygon(object, request)) return wrong;
+  for (const auto& [name, flag] : {std::pair("candidates", &request.candidates),
+                                   {"failures", &request.failures},
+                                   {"even_out", &request.even_out}})
+    if (auto wrong = take_flag(object, name, *flag)) return wrong;
+  if (const auto at = given(object, "require")) {
+    const Result<std::string> required = string(*at, "the conditions");
     if (!required) return required.error();
     auto conditions = read_conditions(*required);
     if (!conditions) return conditions.error();
@@ -389,18 +383,28 @@ Problem Reader::take_members(Index object, Request& request) const {
   return take_pose_options(object, request);
 }
 
-Result<Request> Reader::read() const {
+Result<Request> Reader::read() {
   Request request;
-  Names allowed;
-  if (auto wrong = take_command(request, allowed)) return *std::move(wrong);
-  if (auto wrong = check_members(0, allowed)) return *std::move(wrong);
-  if (request.command == Command::version) return request;
-  if (request.command == Command::experiment) {
-    if (auto wrong = take_polygons(request)) return *std::move(wrong);
-    if (auto wrong = take_experiment_settings(request)) return *std::move(wrong);
-    return request;
+  const CommandEntry* entry = nullptr;
+  if (auto wrong = take_command(request, entry)) return *std::move(wrong);
+  Problem wrong =
+      entry->has_polygon ? check_fields(0, entry->members) : check_members(0, entry->members);
+  if (wrong) return *std::move(wrong);
+  if (entry->has_polygon) {
+    wrong = take_members(0, request);
+  } else if (request.command == Command::shapes) {
+    Result<std::string> text = given_text(0);
+    if (!text) return text.error();
+    request.text = std::move(text).value();
+    wrong = take_import_options(0, request.import);
+  } else if (request.command == Command::experiment) {
+    wrong = take_polygons(request);
+    if (!wrong) wrong = take_experiment_settings(request);
   }
-  if (auto wrong = take_members(0, request)) return *std::move(wrong);
+  if (wrong) return *std::move(wrong);
+  for (const DocumentReader* reader : {&fields_, &written_})
+    request.notices.insert(request.notices.end(), reader->notices().begin(),
+                           reader->notices().end());
   return request;
 }
 
@@ -412,7 +416,17 @@ Result<RequestReader> RequestReader::read(std::string_view text, std::size_t mos
                       "the request is longer than " + std::to_string(most >> 20) + " MiB",
                       {}};
   Result<JsonTree> tree = JsonTree::read(text);
-  if (!tree) return tree.error();
+  if (!tree) {
+    InputError error = tree.error();
+    // A value that is no JSON number or text has a path; other faults are where a line says.
+    const bool is_value =
+        error.code == ErrorCode::bad_coordinate || error.message == half_a_character;
+    if (is_value && !error.place.option.empty()) {
+      error.place = place_of_path(error.place.option);
+      if (error.place.kind == Place::Kind::option) error.code = ErrorCode::bad_setting;
+    }
+    return error;
+  }
   if (tree->kind(tree->root()) != Kind::object)
     return text_error(ErrorCode::bad_syntax, "a request must be a JSON object", text,
                       tree->offset(tree->root()));

@@ -11,6 +11,7 @@
 
 #include "evenlift/document.h"
 #include "evenlift/experiment/measure.h"
+#include "evenlift/import.h"
 #include "evenlift/output/poses.h"
 #include "evenlift/output/requirements.h"
 #include "evenlift/request.h"
@@ -19,7 +20,18 @@
 
 namespace evenlift {
 
-enum class Command : std::uint8_t { place, candidates, svg, poses, link, experiment, version };
+enum class Command : std::uint8_t {
+  place,
+  candidates,
+  svg,
+  poses,
+  link,
+  optimum,
+  trace,
+  shapes,
+  experiment,
+  version
+};
 
 // A polygon of an experiment. If `document` is an error, the polygon does not count in the
 // averages, and the answer gives the reason.
@@ -31,6 +43,9 @@ struct NamedPolygon {
 struct Request {
   Command command = Command::place;
   Document document;
+  std::string text;                  // for `shapes`
+  ImportOptions import;              // of a text
+  std::vector<std::string> notices;  // what was left out of polygon or text
   bool candidates = false, failures = false, even_out = false;
   std::vector<Condition> conditions;
   PoseFormat pose_format = PoseFormat::json;

@@ -5,10 +5,13 @@
 
 #include "evenlift/candidates.h"
 #include "evenlift/experiment/outputs.h"
+#include "evenlift/import.h"
 #include "evenlift/link.h"
+#include "evenlift/optimum.h"
 #include "evenlift/output/json.h"
 #include "evenlift/output/json_text.h"
 #include "evenlift/output/svg.h"
+#include "evenlift/output/trace_json.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
 #include "evenlift/settings.h"
@@ -21,48 +24,98 @@ std::string error_answer(const InputError& error) {
   return json::object({{"error", error_json(error)}}) + "\n";
 }
 
-std::string one_member(std::string_view name, std::string_view text) {
-  return json::object({{name, json::text(text)}}) + "\n";
+// Of the answers that are not a placement's.
+std::string with_notices(std::vector<json::Member> members, const Request& request) {
+  if (!request.notices.empty()) members.push_back({"notices", json::texts(request.notices)});
+  return json::object(members) + "\n";
 }
 
-std::string placement_answer(const Request& request, const Placement& placement) {
+std::string one_text(std::string_view name, std::string_view text, const Request& request) {
+  return with_notices({{name, json::text(text)}}, request);
+}
+
+std::string placement_answer(const Request& request, const Placement& placement,
+                             std::optional<std::vector<SupportMove>> moves) {
   const bool failures = request.failures || need_failures(request.conditions);
   const Reported of({placement, request.document.shown},
                     {.models = true, .failures = failures, .plans = true});
   return placement_json(of, request.candidates, request.failures,
-                        check_conditions(of, request.conditions));
+                        check_conditions(of, request.conditions),
+                        {std::move(moves), request.notices});
 }
 
 std::string svg_answer(const Request& request, const Placement& placement) {
   Shown shown = request.document.shown;
   shown.overlays.candidates |= request.candidates;
   const Result<std::string> link = encode_link(request.document);  // a huge polygon has none
-  return one_member("svg", placement_svg({placement, shown}, link ? *link : std::string()));
+  return one_text("svg", placement_svg({placement, shown}, link ? *link : std::string()), request);
 }
 
 std::string placed_answer(Request request) {
+  std::optional<std::vector<SupportMove>> moves;
   if (request.even_out) {
     auto even = with_even_supports(request.document);
     if (!even) return error_answer(even.error());
+    moves = support_moves(request.document, *even);
     request.document = *std::move(even);
   }
   const Result<Placement> placement = place(request.document);
   if (!placement) return error_answer(placement.error());
   if (request.command == Command::svg) return svg_answer(request, *placement);
   if (request.command == Command::poses)
-    return one_member("poses", poses_text({*placement, request.document.shown}, request.pose_format,
-                                          request.poses));
-  return placement_answer(request, *placement);
+    return one_text(
+        "poses",
+        poses_text({*placement, request.document.shown}, request.pose_format, request.poses),
+        request);
+  return placement_answer(request, *placement, std::move(moves));
 }
 
 std::string candidates_answer(const Request& request) {
   const Result<std::vector<Candidate>> candidates = candidates_of(request.document);
-  return candidates ? candidates_json(*candidates) : error_answer(candidates.error());
+  return candidates ? candidates_json(*candidates, request.notices)
+                    : error_answer(candidates.error());
 }
 
 std::string link_answer(const Request& request) {
   const Result<std::string> link = encode_link(request.document);
-  return link ? one_member("link", *link) : error_answer(link.error());
+  return link ? one_text("link", *link, request) : error_answer(link.error());
+}
+
+std::string optimum_answer(const Request& request) {
+  const auto compared = compare_choices(request.document);
+  if (!compared) return error_answer(compared.error());
+  return choices_json(*compared, request.notices);
+}
+
+std::string trace_answer(const Request& request) {
+  // The trace does the search for balanced robots itself.
+  const Result<Placement> placement = place(request.document, Effort::start);
+  if (!placement) return error_answer(placement.error());
+  const Result<Trace> trace =
+      make_trace(*placement, HistoryLength::whole, request.document.shown.units);
+  if (!trace) return error_answer(trace.error());
+  if (const auto error = check_printed_size(*trace)) return error_answer(*error);
+  return with_notices({{"steps", trace_json(*trace)}}, request);
+}
+
+std::string shapes_answer(const Request& request) {
+  const Result<Import> read = read_shapes(request.text, request.import);
+  if (!read) return error_answer(read.error());
+  std::vector<std::string> shapes;
+  for (const ImportedShape& shape : read->shapes)
+    shapes.push_back(
+        json::object({{"name", json::text(shape.name)},
+                      {"kind", json::text(shape.kind)},
+                      {"sheet", json::boolean(shape.sheet)},
+                      {"tolerance", shape.tolerance ? json::number(*shape.tolerance) : "null"},
+                      {"document", json::on_one_line(document_json(shape.document))}}));
+  return json::long_object({{"format", json::text(read->format)},
+                            {"unit", json::text(read->unit)},
+                            {"doubtful", json::boolean(read->doubtful)},
+                            {"notices", json::texts(read->notes)},
+                            {"shapes", json::long_array(shapes, 1)}},
+                           0) +
+         "\n";
 }
 
 // --- Experiments
@@ -118,10 +171,16 @@ std::string answer(std::string_view request, std::span<const RequestKind> kinds)
       return candidates_answer(*read);
     case Command::link:
       return link_answer(*read);
+    case Command::optimum:
+      return optimum_answer(*read);
+    case Command::trace:
+      return trace_answer(*read);
+    case Command::shapes:
+      return shapes_answer(*read);
     case Command::experiment:
       return experiment_answer(*read);
     case Command::version:
-      return one_member("version", EVENLIFT_VERSION);
+      return one_text("version", version(), *read);
   }
   return {};
 }

@@ -121,7 +121,7 @@ double tipping_distance(const Points& hull, const Vec2& centre, double diameter)
 
 DisturbanceEffect effect_on(const Points& robots, const Vec2& centre, double diameter,
                             const Disturbance& disturbance) {
-  const double height = disturbance.com_height, k2 = disturbance.acceleration;
+  const double height = disturbance.height, k2 = disturbance.acceleration;
   DisturbanceEffect effect;
   if (disturbance.uneven > 0 && height > 0 && !robots.empty())
     effect.tilt =

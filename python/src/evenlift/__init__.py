@@ -4,27 +4,32 @@
     placement = evenlift.place([(0, 0), (4, 0), (4, 3), (0, 3)], teams=2, weight=30)
     placement["robots"][0]["load"]
 
-A polygon is a sequence of points (x, y), such as a list of pairs or a NumPy array with two columns; or a text: WKT, GeoJSON,
-the thesis's format, or a share link, which also sets the defaults. Settings are keyword arguments with the names and values
-of the program's options (see Settings). Invalid input raises EvenliftError.
+A polygon is a sequence of points (x, y), such as a list of pairs or a NumPy array with two columns; a file, as its text, its
+bytes or its path, of any format that the program reads, or a share link; a result or document of evenlift; or an object of a
+geometry library (`__geo_interface__`). Settings are keyword arguments with the names and values of the program's options (see
+types.Settings). Invalid input raises EvenliftError.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Mapping, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Mapping, Sequence, Union
 
-from . import _requests, types
-from ._library import EvenliftError, answer, ask
+from . import types
+from ._library import EvenliftError, answer, ask, file_members, polygon_members, written
 from ._results import Candidates, Experiment, Placement
-from .types import Holes, Point, Polygon, PoseFormat, PoseOrigin, Settings
+from .types import ExperimentOptions, File, Options, PlaceOptions, Polygon, PosesOptions, Settings, ShapesOptions, SvgOptions
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 else:
     try:
         from typing import Unpack
-    except ImportError:  # before Python 3.11: hints resolve to the settings themselves
-        Unpack = {Settings: Settings}
+    except ImportError:  # before Python 3.11: hints resolve to the options themselves
+
+        class Unpack:
+            def __class_getitem__(cls, options):
+                return options
+
 
 __all__ = [
     "Candidates",
@@ -36,101 +41,74 @@ __all__ = [
     "candidates",
     "experiment",
     "link",
+    "optimum",
     "place",
     "poses",
+    "shapes",
     "svg",
+    "trace",
     "types",
     "version",
 ]
 
 
-def place(
-    polygon: Polygon,
-    *,
-    holes: Optional[Holes] = None,
-    centre_of_mass: Optional[Point] = None,
-    candidates: bool = False,
-    failures: bool = False,
-    even_out: bool = False,
-    require: Optional[str] = None,
-    **settings: Unpack[Settings],
-) -> Placement:
+def place(polygon: Polygon, **options: Unpack[PlaceOptions]) -> Placement:
     """Places robots under the object, or judges `supports` that already stand. `candidates` also lists the candidate chords, and
     `failures` the effect of each failure. `even_out` moves two or three supports so that all carry the same load. `require` contains
     conditions such as "held, max<=20"; the result lists under `requirements` which are kept."""
-    asked = _requests.request(polygon, holes, centre_of_mass, settings, also=("candidates", "failures", "even_out", "require"))
-    if candidates:
-        asked["candidates"] = True
-    if failures:
-        asked["failures"] = True
-    if even_out:
-        asked["even_out"] = True
-    if require is not None:
-        asked["require"] = _requests.text("require", require)
-    return Placement(asked)
+    return Placement(written({**options, "command": "place", **polygon_members(polygon)}))
 
 
-def candidates(
-    polygon: Polygon, *, holes: Optional[Holes] = None, centre_of_mass: Optional[Point] = None, **settings: Unpack[Settings]
-) -> Candidates:
+def candidates(polygon: Polygon, **options: Unpack[Options]) -> Candidates:
     """The chords on which a team may stand, as a list of {"ends", "ratio", "kind"}. Only these settings have an effect: min_ratio,
     centre_of_mass, positions, the robots' size and no_go, and clear with positions="range"."""
-    return Candidates({"command": "candidates", **_requests.request(polygon, holes, centre_of_mass, settings)})
+    return Candidates(written({**options, "command": "candidates", **polygon_members(polygon)}))
 
 
-def svg(
-    polygon: Polygon,
-    *,
-    holes: Optional[Holes] = None,
-    centre_of_mass: Optional[Point] = None,
-    candidates: bool = False,
-    **settings: Unpack[Settings],
-) -> str:
-    """The placement as a picture, which also opens in evenlift's page."""
-    asked = _requests.request(polygon, holes, centre_of_mass, settings, also=("candidates",))
-    picture: str = ask({"command": "svg", **asked, "candidates": bool(candidates)})["svg"]
+def svg(polygon: Polygon, **options: Unpack[SvgOptions]) -> str:
+    """The placement as a picture, which also opens in evenlift's page. `candidates` shows the candidates."""
+    picture: str = ask({**options, "command": "svg", **polygon_members(polygon)})["svg"]
     return picture
 
 
-def poses(
-    polygon: Polygon,
-    *,
-    format: PoseFormat = "json",
-    frame: str = "object",
-    origin: PoseOrigin = "file",
-    holes: Optional[Holes] = None,
-    centre_of_mass: Optional[Point] = None,
-    **settings: Unpack[Settings],
-) -> str:
+def poses(polygon: Polygon, **options: Unpack[PosesOptions]) -> str:
     """The robots' poses as the text of a file; YAML is a geometry_msgs/msg/PoseArray of ROS 2."""
-    asked = _requests.request(polygon, holes, centre_of_mass, settings, also=("format", "frame", "origin"))
-    text: str = ask({"command": "poses", **asked, **_requests.pose_options(format, frame, origin)})["poses"]
+    text: str = ask({**options, "command": "poses", **polygon_members(polygon)})["poses"]
     return text
 
 
-def link(
-    polygon: Polygon, *, holes: Optional[Holes] = None, centre_of_mass: Optional[Point] = None, **settings: Unpack[Settings]
-) -> str:
+def link(polygon: Polygon, **options: Unpack[Options]) -> str:
     """The share link of the polygon with its settings."""
-    fragment: str = ask({"command": "link", **_requests.request(polygon, holes, centre_of_mass, settings)})["link"]
+    fragment: str = ask({**options, "command": "link", **polygon_members(polygon)})["link"]
     return fragment
 
 
-def experiment(
-    polygons: Union[Mapping[str, Polygon], Sequence[Polygon]],
-    *,
-    min_ratio: float = 0.8,
-    samples: int = 200,
-    max_teams: int = 1000,
-    max_balanced: int = 12,
-) -> Experiment:
+def optimum(polygon: Polygon, **options: Unpack[Options]) -> types.Optimum:
+    """How far the greedy choice of teams is from the best one."""
+    compared: types.Optimum = ask({**options, "command": "optimum", **polygon_members(polygon)})
+    return compared
+
+
+def trace(polygon: Polygon, **options: Unpack[Options]) -> list[dict[str, Any]]:
+    """The algorithm's steps in order, in words and with this polygon's numbers, as `evenlift trace --json` prints them."""
+    steps: list[dict[str, Any]] = ask({**options, "command": "trace", **polygon_members(polygon)})["steps"]
+    return steps
+
+
+def shapes(file: File, **options: Unpack[ShapesOptions]) -> types.Shapes:
+    """All shapes of a file: a drawing, a table, or any other format that the program reads. The `document` of each is a polygon for
+    the other functions."""
+    read: types.Shapes = ask({**options, "command": "shapes", **file_members(file)})
+    return read
+
+
+def experiment(polygons: Union[Mapping[str, Polygon], Sequence[Polygon]], **settings: Unpack[ExperimentOptions]) -> Experiment:
     """Measures every method with every number of robots on each polygon, like `evenlift experiment`. A polygon with 30 candidates
     takes some seconds. A mapping gives the polygons names; otherwise they have numbers. A polygon that cannot be measured is
     omitted, with the reason in `refused`."""
     named = polygons.items() if isinstance(polygons, Mapping) else ((f"polygon {i}", p) for i, p in enumerate(polygons, 1))
-    settings = {"min_ratio": min_ratio, "samples": samples, "max_teams": max_teams, "max_balanced": max_balanced}
-    asked = {"command": "experiment", "polygons": _requests.named_shapes(named), "settings": _requests.values(settings)}
-    return Experiment(asked)
+    measured = [{"name": str(name), **polygon_members(polygon)} for name, polygon in named]
+    return Experiment(written({"command": "experiment", "polygons": measured, "settings": settings}))
 
 
 def version() -> str:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import base64
 import ctypes
 import json
+import os
 import pathlib
 import sys
-from typing import Any, Optional
+from typing import Any, Mapping, Optional
 
 from .types import Place
 
@@ -19,15 +21,18 @@ _library.evenlift_free.restype = None
 
 
 class EvenliftError(ValueError):
-    """A request that evenlift cannot answer. `code` is one word for programs; `place` is the place of the error, if known."""
+    """A request that evenlift cannot answer. `code` is one word for programs; `place` is the place of the error, and `path` that
+    of the argument's member, such as "cargo[2].weight", if known."""
 
     code: str
     place: Optional[Place]
+    path: Optional[str]
 
-    def __init__(self, message: str, code: str, place: Optional[Place] = None) -> None:
+    def __init__(self, message: str, code: str, place: Optional[Place] = None, path: Optional[str] = None) -> None:
         super().__init__(message)
         self.code = code
         self.place = place
+        self.path = path
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _made_again, (type(self), self.args), self.__dict__
@@ -56,17 +61,58 @@ def answer(request: str) -> str:
         _library.evenlift_free(pointer)
 
 
-def ask_for_text(request: dict[str, Any]) -> str:
+# --- Requests
+
+
+def file_members(file: Any) -> dict[str, Any]:
+    """A file as members of a request: its text, or its bytes."""
+    if isinstance(file, os.PathLike):
+        file = pathlib.Path(file).read_bytes()
+    return {"bytes": base64.b64encode(file).decode("ascii")} if isinstance(file, (bytes, bytearray)) else {"text": file}
+
+
+def polygon_members(polygon: Any) -> dict[str, Any]:
+    """A polygon as members of a request."""
+    if isinstance(polygon, (str, bytes, bytearray, os.PathLike)):
+        return file_members(polygon)
+    if hasattr(polygon, "__geo_interface__"):
+        return {"text": json.dumps(polygon.__geo_interface__)}
+    return {"document" if isinstance(polygon, Mapping) else "polygon": polygon}
+
+
+def _plain(value: Any) -> Any:
+    """Makes JSON of what `json` does not know: arrays and numbers of NumPy, other numbers, mappings and sequences. Anything else
+    becomes a text, which the core refuses by its path."""
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    if isinstance(value, Mapping):
+        return dict(value)
+    for kind in (float, list):
+        try:
+            return kind(value)
+        except (TypeError, ValueError, OverflowError):
+            pass
+    return f"<{type(value).__name__}>"
+
+
+def written(request: dict[str, Any]) -> str:
+    """The request as JSON."""
+    try:
+        return json.dumps(request, default=_plain)
+    except (TypeError, ValueError) as error:  # a key that is no text, or a number of thousands of digits
+        raise EvenliftError(f"The request cannot be written as JSON: {error}", "bad_syntax") from None
+
+
+def ask_for_text(request: str) -> str:
     """Returns the unchanged text of the answer. Raises EvenliftError or MemoryError for an error."""
-    text = answer(json.dumps(request, allow_nan=False))
+    text = answer(request)
     if text.startswith('{"error": '):
         error = json.loads(text)["error"]
         if error["code"] == "no_memory":
             raise MemoryError(error["message"])
-        raise EvenliftError(error["message"], error["code"], error["place"])
+        raise EvenliftError(error["message"], error["code"], error["place"], error["path"])
     return text
 
 
-def ask(request: dict[str, Any]) -> dict[str, Any]:
-    answered: dict[str, Any] = json.loads(ask_for_text(request))
-    return answered
+def ask(request: dict[str, Any]) -> Any:
+    return json.loads(ask_for_text(written(request)))

@@ -19,16 +19,17 @@ else:
 class Placement(PlacementMembers):
     """The output of `evenlift place --json` as a dictionary (docs/cli.md lists its members). `json` is its exact text."""
 
-    def __init__(self, request: dict[str, Any]) -> None:
+    def __init__(self, request: str) -> None:
         self.json = ask_for_text(request)
         self._request = request
         super().__init__(json.loads(self.json))
 
     def svg(self, candidates: Optional[bool] = None) -> str:
         """The placement as a picture."""
-        shown = {name: self._request[name] for name in ("polygon", "text", "centre_of_mass", "settings") if name in self._request}
-        listed = bool(self._request.get("candidates")) if candidates is None else candidates
-        picture: str = ask({"command": "svg", **shown, "candidates": listed})["svg"]
+        given: dict[str, Any] = json.loads(self._request)
+        asked = {name: value for name, value in given.items() if name not in ("failures", "even_out", "require")}
+        listed = bool(asked.get("candidates")) if candidates is None else candidates
+        picture: str = ask({**asked, "command": "svg", "candidates": listed})["svg"]
         return picture
 
     def _repr_svg_(self) -> str:
@@ -59,7 +60,7 @@ class Placement(PlacementMembers):
 class Candidates(list[types.Candidate]):
     """Candidate chords in candidate order, each {"ends", "ratio", "kind"}."""
 
-    def __init__(self, request: dict[str, Any]) -> None:
+    def __init__(self, request: str) -> None:
         self.json = ask_for_text(request)
         super().__init__(json.loads(self.json)["candidates"])
 
@@ -91,7 +92,7 @@ class Experiment(ExperimentMembers):
     """The results of `evenlift experiment`. `measurements`, `aggregates` and `polygons` are lists of rows. Each row is a dictionary
     with the columns of the file of that name, and None for an empty field; csv() returns the files themselves."""
 
-    def __init__(self, request: dict[str, Any]) -> None:
+    def __init__(self, request: str) -> None:
         self.json = ask_for_text(request)
         content = json.loads(self.json)
         self._tables: dict[str, str] = {name: content[name] for name in ("measurements", "aggregates", "polygons")}

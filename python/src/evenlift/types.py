@@ -1,14 +1,16 @@
 """The types of evenlift's arguments and results, for type checkers and for code that reads results from files.
 
 docs/cli.md in the repository explains each member of a result. Classes with a leading underscore contain the members that always
-exist.
+exist. docs/write_types.py writes this file from `evenlift --schema`.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Iterable, Literal, Optional, SupportsFloat, TypedDict, Union
+from typing import TYPE_CHECKING, Any, Iterable, Literal, Mapping, Optional, SupportsFloat, TypedDict, Union
 
 if TYPE_CHECKING:
+    import os
+
     from numpy import float64, int_
     from numpy.typing import NDArray
     from typing_extensions import TypeAlias
@@ -16,304 +18,149 @@ if TYPE_CHECKING:
     Array: TypeAlias = NDArray[Any]
     FloatArray: TypeAlias = NDArray[float64]
     IntArray: TypeAlias = NDArray[int_]
+    Path: TypeAlias = os.PathLike[str]
 else:  # NumPy is imported only when an array is requested.
-    Array = FloatArray = IntArray = Any
-
-# --- Arguments
+    Array = FloatArray = IntArray = Path = Any
 
 Point = Iterable[SupportsFloat]
-"""(x, y): a pair, or a row of a NumPy array."""
+"""(x, y): a pair, or a row of a NumPy array. A third coordinate is left out, with a notice."""
 
-Polygon = Union[str, Iterable[Point]]
-"""A text, or points: a list of pairs, or a NumPy array of two columns."""
+File = Union[str, bytes, Path]
+"""The text of a file, its bytes, or its path."""
 
-Holes = Iterable[Iterable[Point]]
-"""The vertices of each hole in a polygon."""
+Polygon = Union[File, Iterable[Point], Mapping[str, Any]]
+"""A file, points (a list of pairs, or a NumPy array of two columns), or a result or document of evenlift."""
 
-Metric = Literal["area", "circle", "distance", "distributed", "random", "balanced", "given"]
-Goal = Literal["cover", "hold"]
-Positions = Literal["best", "range"]
-LengthUnit = Literal["m", "cm", "mm", "in"]
-WeightUnit = Literal["kg", "t", "N", "lb"]
-PoseFormat = Literal["csv", "json", "yaml"]
-PoseOrigin = Literal["file", "com"]
 Table = Literal["measurements", "aggregates", "polygons"]
 
-
-class _Load(TypedDict):
-    at: Point
-    weight: float
+Metric = Literal["area", "circle", "distance", "distributed", "random", "balanced", "given"]
 
 
-class Cargo(_Load, total=False):
-    """A load that is fixed to the object, at its own centre of mass."""
+Goal = Literal["cover", "hold"]
 
-    name: str
+
+Positions = Literal["best", "range"]
+
+
+LengthUnit = Literal["m", "cm", "mm", "in"]
+
+
+WeightUnit = Literal["kg", "t", "N", "lb"]
+
+
+Overlay = Literal["candidates", "chords", "hull", "clockwise", "counterclockwise", "tipping", "halo", "tilt", "load"]
 
 
 class Settings(TypedDict, total=False):
-    """The settings, which docs/cli.md in the repository explains. None means the default."""
+    """The program's options, with _ in place of -. Null counts as not given."""
 
-    teams: Union[int, Literal["max"], None]
+    teams: Optional[Union[int, Literal["max"]]]
+    """Number of teams, or max for every candidate (default 3)."""
     metric: Optional[Metric]
-    method: Optional[Metric]  # another name of metric
+    """Area (default), circle, distance, distributed, random, balanced or given."""
+    method: Optional[Metric]
+    """Area (default), circle, distance, distributed, random, balanced or given."""
     min_ratio: Optional[float]
+    """Minimum load ratio, 0 to 1 (default 0.8)."""
+    com: Optional[Union[Point, str]]
+    """Centre of mass (default the file's, else the centroid)."""
     weight: Optional[float]
+    """The object's weight (default 100)."""
     seed: Optional[int]
-    robots: Optional[int]
-    goal: Optional[Goal]
-    min_margin: Optional[float]
-    apart: Optional[float]
-    clear: Optional[float]
-    accuracy: Optional[float]
-    survive: Optional[int]
-    positions: Optional[Positions]
-    robot: Optional[str]
-    robot_radius: Optional[float]
-    robot_reach: Optional[float]
-    robot_depth: Optional[float]
-    robot_width: Optional[float]
-    robot_gap: Optional[float]
-    no_go: Optional[str]
-    supports: Union[str, Iterable[Point], None]  # sets the method to given
-    snap: Optional[float]
-    support_capacities: Union[str, Iterable[Optional[float]], None]
-    cargo: Union[str, Iterable[Union[Cargo, tuple[Point, float], tuple[Point, float, str]]], None]
+    """For the method random (default 1)."""
+    overlays: Optional[Union[Iterable[Overlay], Overlays, str]]
+    """What a picture or link shows."""
+    step: Optional[Union[int, Literal["none"]]]
+    """Step of the walkthrough that a link opens."""
     com_radius: Optional[float]
-    com_height: Optional[float]
-    slope: Union[float, str, None]
-    acceleration: Optional[float]
-    give: Union[float, Literal["none"], None]
-    uneven: Optional[float]
-    extra: Union[float, Literal["none"], None]
-    capacity: Union[float, Literal["none"], None]
-    overlays: Optional[str]
-    step: Union[int, Literal["none"], None]
-    unit: Union[LengthUnit, Literal["none"], None]
+    """C uncertainty: the radius within which the centre of mass is known; loads become ranges."""
+    capacity: Optional[Union[float, Literal["none"]]]
+    """Load that one robot can carry: overloaded robots, and the number of robots needed."""
+    robot: Optional[Union[RobotSize, str]]
+    """Size of a robot: r, reach, depth and width of the hand, and the gap between robots."""
+    no_go: Optional[Union[Iterable[Union[int, str]], str]]
+    """No-go edges from 1, or parts of them from 0 to 1."""
+    unit: Optional[Union[LengthUnit, Literal["none"]]]
+    """Label of lengths: m, cm, mm or in (default none)."""
     weight_unit: Optional[WeightUnit]
+    """Label of weights: kg (default), t, N or lb."""
+    goal: Optional[Goal]
+    """Cover: the widest lifting base; hold: a hold with the minimum margin first."""
+    robots: Optional[int]
+    """Number of balanced robots, 2 to 64 (default 6)."""
+    positions: Optional[Positions]
+    """Best: one place for two edges; range: anywhere in their range."""
+    min_margin: Optional[float]
+    """Minimum margin of a hold (default 0.05)."""
+    apart: Optional[float]
+    """Preferred minimum distance between robots (default 0.12 of the object's radius)."""
+    survive: Optional[int]
+    """Number of failures that balanced robots should survive (default 0)."""
+    clear: Optional[float]
+    """Clearance: shorter distances are not relied on, of contacts from corners and, after a failure, of the centre of mass from the edge of the lifting base (default 0.02 of the object's radius)."""
+    accuracy: Optional[float]
+    """Robots may be off their places by A: searches keep what they promise (default 0)."""
+    robot_radius: Optional[float]
+    """Radius of the round body; it overrides that of robot, like the next four."""
+    robot_reach: Optional[float]
+    """Length of the arm, from the body to the contact."""
+    robot_depth: Optional[float]
+    """Length of the hand, from the contact to the lifting point."""
+    robot_width: Optional[float]
+    """Width of the hand."""
+    robot_gap: Optional[float]
+    """Free distance between two bodies."""
+    supports: Optional[Union[Iterable[Union[Point, Support]], str]]
+    """Robots that already stand, each perhaps with its capacity; or a file of them."""
+    snap: Optional[float]
+    """Supports within S of the outline stand at the edge (default 1e-4 of its size)."""
+    support_capacities: Optional[Union[Iterable[Optional[float]], str]]
+    """Capacity of each support, as many as there are supports; it overrides those in supports."""
+    cargo: Optional[Union[Iterable[Union[Cargo, tuple[Point, float], tuple[Point, float, str]]], str]]
+    """Loads that are fixed to the object, added to those of the file; none removes those."""
+    com_height: Optional[float]
+    """Height of the centre of mass, with cargo, above the lifting points: at which slope it tips."""
+    slope: Optional[Union[float, str]]
+    """Greatest slope of the plane of the lifting points: a ratio, 8% or 4.6deg."""
+    acceleration: Optional[float]
+    """Greatest acceleration along the ground in any direction, in g."""
+    give: Optional[Union[float, Literal["none"]]]
+    """Length by which a robot gives way under the mean load."""
+    uneven: Optional[float]
+    """How much the ground or a robot's height is off at most; without --give, loads can reach those at worst."""
+    extra: Optional[Union[float, Literal["none"]]]
+    """A further weight, such as a person: where it may stand."""
 
-
-# --- Placements
 
 Position = list[float]
-"""[x, y]"""
-
-Motion = Literal["clockwise", "counterclockwise", "translation"]
-UnusableReason = Literal["no_go", "body", "arm", "corner", "hand", "hole", "near_no_go", "narrow"]
+"""[x, y] of a result."""
 
 
-class Candidate(TypedDict):
-    """A chord on which a team may stand."""
-
-    ends: list[Position]
-    ratio: float
-    kind: Literal["bisecting", "vertex", "midpoint", "range"]
+class _Support(TypedDict):
+    at: Point
 
 
-class Team(TypedDict):
-    """The loads are None if given supports do not carry the object."""
+class Support(_Support, total=False):
+    """A robot that already stands."""
 
-    ends: list[Position]
-    ratio: float
-    loads: list[Optional[float]]
-
-
-class Robot(TypedDict):
-    """`at` is the lifting point, `team` counts from 0, and `heading` is in degrees. `load` is None if the object falls; `contact` and
-    `heading` are None for a support beneath the object. Only given supports can be either."""
-
-    at: Position
-    team: int
-    load: Optional[float]
-    contact: Optional[Position]
-    stand: Position
-    heading: Optional[float]
-    place: Literal["edge", "beneath"]
+    capacity: Optional[float]
+    """What this support can carry."""
+    name: str
+    """Left out, with a notice."""
 
 
-class LoadModels(TypedDict):
-    springs: list[float]
-    best: float
-    worst: list[float]
-
-
-class _Loads(TypedDict):
-    min: float
-    mean: float
-    max: float
-    spread: float
-    max_share: float
-    models: Optional[LoadModels]
-
-
-class Loads(_Loads, total=False):
-    """These members exist only with a C uncertainty, a slope, uneven ground, or an acceleration and a height of C. If a robot may go
-    slack, all ranges extend from the least to the greatest load that statics allows."""
-
-    ranges: list[list[float]]
-    may_let_go: bool
-
-
-class Tilt(TypedDict):
-    """When the object tips in the worst direction. `slope` is a ratio and `acceleration` in g, each alone and on even ground.
-    `acceleration_left` is the acceleration at which it tips on the given slope, None without a slope; `slope_left` is the slope at which
-    it tips with the given acceleration, None without an acceleration."""
-
-    height: float
-    reach: float
-    stays: bool
-    slope: float
-    degrees: float
-    acceleration: float
-    acceleration_left: Optional[float]
-    slope_left: Optional[float]
-
-
-class ExtraLoad(TypedDict):
-    """Where a further load may stand. `anywhere` is None for any weight; all but the weight are None if the object falls."""
-
+class _Cargo(TypedDict):
+    at: Point
+    """Its centre of mass, which may overhang."""
     weight: float
-    region: Optional[list[Position]]
-    share: Optional[float]
-    anywhere: Optional[float]
+    """1e-100 to 1e100."""
 
 
-class Closure(TypedDict):
-    """`margin` is None without contacts, and `clearance` is None if no contact is beside a corner."""
+class Cargo(_Cargo, total=False):
+    """A load that is fixed to the object."""
 
-    form_closure: bool
-    margin: Optional[float]
-    clearance: Optional[float]
-    tolerance: Optional[float]
-    second_order: bool
-    free: list[Motion]
-    clockwise: list[Position]
-    counterclockwise: list[Position]
-
-
-class Verdict(TypedDict):
-    """`kind` is "bad" without robots, if the object falls or tips under the given conditions, or if a robot is or can be overloaded. The
-    reasons are sentences, the most serious first; a good result has none."""
-
-    kind: Literal["good", "warning", "bad"]
-    reasons: list[str]
-
-
-class Misfit(TypedDict):
-    """A support, counted from 0, that does not fit. `why` is "outside", "arm", "hand", "no-go", or "too near robot 2", counted from 1."""
-
-    robot: int
-    why: str
-
-
-class Requirement(TypedDict):
-    condition: str
-    value: Union[float, bool, None]
-    kept: bool
-
-
-class LimitedBy(TypedDict):
-    what: Literal["fits", "stands", "hold", "capacity"]
-    robots: list[int]
-    edge: Optional[int]
-
-
-class Accuracy(TypedDict):
-    """How far all robots may be off. Each length is None if what it is about does not hold, or has no limit."""
-
-    asked: float
-    all_within: Optional[float]
-    limited_by: Optional[LimitedBy]
-    fits_within: Optional[float]
-    stands_within: Optional[float]
-    hold_within: Optional[float]
-    capacity_within: Optional[float]
-
-
-class _Robustness(TypedDict):
-    com_margin: float
-    failures_carried: int
-    failures_steady: int
-    failures_clear: int
-    load_per_length: Optional[list[float]]
-
-
-class Robustness(_Robustness, total=False):
-    """The first two exist only with a com_radius above 0, the others also on slopes and uneven ground."""
-
-    com_radius: float
-    exact_within: Optional[float]
-    plan_ranges: list[list[float]]
-    springs_ranges: list[list[float]]
-
-
-class _Failure(TypedDict):
-    robot: int
-    carried: bool
-    steady: bool
-    clear: bool
-    com_margin: Optional[float]
-    coverage: Optional[float]
-    form_closure: Optional[bool]
-    margin: Optional[float]
-    plan_max: Optional[float]
-    springs_max: Optional[float]
-    best_max: Optional[float]
-    springs: Optional[list[float]]
-
-
-class Failure(_Failure, total=False):
-    """The lift after `robot`, counted from 0, fails. All members after `clear` are None if the others do not carry the object;
-    `over_capacity` exists only with a capacity, and the last two only if the loads have ranges. Where `stays` is False, the object tips
-    under the given conditions, and `over_capacity` and `greatest_end` are None."""
-
-    over_capacity: Optional[bool]
-    greatest_end: Optional[float]
-    stays: Optional[bool]
-
-
-class FailurePlan(TypedDict):
-    """The number of robots needed so that any one of them may fail: then C is at least `clear` inside, and the object stays upright and
-    each robot within the capacity under the given conditions. `robots_tried` is 0 if no number was tried."""
-
-    robots_needed: Optional[int]
-    greatest_load: Optional[float]
-    robots_tried: int
-
-
-class Capacity(TypedDict):
-    """`limit` is None if only single supports have a capacity. `overloaded` includes robots that can carry more than their capacity on
-    slopes, when braked or on uneven ground."""
-
-    limit: Optional[float]
-    overloaded: list[int]
-    teams_needed: Optional[int]
-    greatest_load: Optional[float]
-    teams_tried: int
-    robots_needed: Optional[int]
-    com_radius: Optional[float]
-    if_one_fails: Optional[FailurePlan]
-    use: Optional[float]
-
-
-class RobotSize(TypedDict):
-    radius: float
-    reach: float
-    depth: float
-    width: float
-    gap: float
-
-
-class Overlays(TypedDict):
-    candidates: bool
-    chords: bool
-    hull: bool
-    clockwise: bool
-    counterclockwise: bool
-    tipping: bool
-    halo: bool
-    tilt: bool
-    load: bool
+    name: str
+    """At most 60 characters."""
 
 
 class _CargoItem(TypedDict):
@@ -327,66 +174,708 @@ class CargoItem(_CargoItem, total=False):
     name: str
 
 
+class RobotSize(TypedDict):
+    """The size of a robot."""
+
+    radius: float
+    """Of the round body."""
+    reach: float
+    """Length of the arm, from the body to the contact."""
+    depth: float
+    """Length of the hand, from the contact to the lifting point."""
+    width: float
+    """Of the hand."""
+    gap: float
+    """Free distance between two bodies."""
+
+
+class Overlays(TypedDict):
+    """What a picture shows."""
+
+    candidates: bool
+    chords: bool
+    hull: bool
+    clockwise: bool
+    counterclockwise: bool
+    tipping: bool
+    halo: bool
+    tilt: bool
+    load: bool
+
+
+class PolygonOptions(TypedDict, total=False):
+    """What a request may say of its polygon."""
+
+    holes: Optional[Union[Iterable[Iterable[Point]], Literal[False]]]
+    """The vertices of each hole, in place of those of the text; `false` leaves those out."""
+    centre_of_mass: Optional[Point]
+    """Of the object without its cargo; `null` for the centroid. The default is the one in the text, or else the centroid."""
+    own_centre_of_mass: Optional[Point]
+    """The same by its name in results; it counts if both are given."""
+    moved: Optional[str]
+    """Robots moved by hand on the page, as a result tells them."""
+    shape: Optional[Union[int, str]]
+    """Of a text with several shapes: the number, from 1, or name of one."""
+    flatten: Optional[float]
+    """Of a drawing: greatest distance of edges from curves (default about 1/1000 of the shape)."""
+    join: Optional[float]
+    """Of a drawing: greatest distance of ends that are joined (default up to 1/1000 of the drawing)."""
+    project: Optional[bool]
+    """Converts longitudes and latitudes in degrees to metres."""
+
+
+class Options(Settings, PolygonOptions):
+    """Settings, and what a request may say of its polygon."""
+
+    pass
+
+
+class PlaceOptions(Settings, PolygonOptions, total=False):
+    """What a placement may be asked."""
+
+    candidates: Optional[bool]
+    """Lists the candidates."""
+    failures: Optional[bool]
+    """The effect of each robot's failure."""
+    even_out: Optional[bool]
+    """Moves two or three supports to the edge so that all carry the same load."""
+    require: str
+    """Conditions, such as `held, max<=20`."""
+
+
+class SvgOptions(Settings, PolygonOptions, total=False):
+    """What a picture may be asked."""
+
+    candidates: Optional[bool]
+    """Shows the candidates."""
+
+
+class PosesOptions(Settings, PolygonOptions, total=False):
+    """How robots' poses are written."""
+
+    format: Union[Literal["csv"], Literal["json"], Literal["yaml"]]
+    """Default `json`; `yaml` is a PoseArray of ROS 2."""
+    frame: str
+    """The frame's name, default `object`."""
+    origin: Union[Literal["file"], Literal["com"]]
+    """Default `file`."""
+
+
+class ShapesOptions(TypedDict, total=False):
+    """How a file is read."""
+
+    holes: Optional[bool]
+    """`false` leaves them out."""
+    flatten: Optional[float]
+    """Greatest distance of edges from curves."""
+    join: Optional[float]
+    """Greatest distance of ends that are joined."""
+    project: Optional[bool]
+    """Converts longitudes and latitudes in degrees to metres."""
+
+
+class ExperimentOptions(TypedDict, total=False):
+    """What an experiment measures."""
+
+    min_ratio: float
+    """Default 0.8."""
+    samples: int
+    """Random placements of each polygon, default 200."""
+    max_teams: int
+    """Default 1000."""
+    max_balanced: int
+    """Balanced robots, default 12."""
+
+
+class Candidate(TypedDict):
+    """A chord on which a team may stand."""
+
+    ends: list[Position]
+    ratio: float
+    """The shorter half divided by the longer one."""
+    kind: Union[Literal["bisecting"], Literal["vertex"], Literal["midpoint"], Literal["range"]]
+    """`range` only with `positions` `range`, or for robots with a size."""
+
+
+class Team(TypedDict):
+    """A team of robots."""
+
+    ends: list[Position]
+    """The left end first (the lower end of a vertical chord). `balanced` gives one team with an end for each robot, counter-clockwise along the outline from the vertex farthest from C, and `given` one in the order of the supports."""
+    ratio: float
+    """The load ratio; of `balanced` robots the least load divided by the greatest."""
+    loads: list[Optional[float]]
+    """In the order of the ends; `null` if the object falls."""
+
+
+class Robot(TypedDict):
+    """A robot."""
+
+    at: Position
+    """The lifting point."""
+    team: int
+    """Counted from 0."""
+    load: Optional[float]
+    """`null` if the object falls."""
+    contact: Optional[Position]
+    """Where it touches the boundary; `null` beneath the object."""
+    stand: Position
+    """The middle of its body; without a size the three are one point."""
+    heading: Optional[float]
+    """The direction of the inward normal in degrees, above −180 and up to 180 (at a vertex, the bisector of the normals of its two edges); `null` beneath the object."""
+    place: Union[Literal["edge"], Literal["beneath"]]
+    """Only a support stands beneath."""
+
+
+class LoadModels(TypedDict):
+    """The loads by the models springs, best and worst."""
+
+    springs: list[float]
+    """In the order of `robots`, like `worst`."""
+    best: float
+    """The least possible greatest load."""
+    worst: list[float]
+
+
+class _Loads(TypedDict):
+    min: float
+    """As planned, like the next four."""
+    mean: float
+    max: float
+    spread: float
+    """`max` − `min`."""
+    max_share: float
+    """The greatest share of a team's load that one robot carries."""
+    models: Optional[LoadModels]
+    """The loads by the other models; `null` if rounding moves C outside the lifting base."""
+
+
+class Loads(_Loads, total=False):
+    """The loads."""
+
+    ranges: list[list[float]]
+    """With a C uncertainty, a slope, an acceleration (and a height of C), uneven ground (and a give) or an accuracy only: the least and the greatest load of each robot as planned. With an accuracy they include what loads may change, to first order, if all robots are off by it (tables, verdicts and `capacity` do not: they tell `accuracy` in its own sentence). They presume that the robots are set to their planned loads, then keep their heights and yield like equally stiff springs."""
+    may_let_go: bool
+    """With `ranges` only: whether a robot may go slack. Then every load lies between the least and the greatest that statics allows, with the weight acting anywhere within reach."""
+
+
+Motion = Union[Literal["clockwise"], Literal["counterclockwise"], Literal["translation"]]
+
+
+class DependsOn(TypedDict):
+    robot: int
+    """Counted from 0."""
+    distance: float
+    """Of its contact from a corner."""
+
+
+class Closure(TypedDict):
+    """How the robots' contact alone holds the object."""
+
+    form_closure: bool
+    """Whether no motion is free to first order if robots keep their formation and can push sideways; contacts at convex vertices are not counted."""
+    margin: Optional[float]
+    """Strength of the hold; positive in form closure, `null` without contacts. It is the largest-ball measure with one limit for the sum of all contact forces. It depends on C and R, so use it only to compare placements of one object."""
+    clearance: Optional[float]
+    """Greatest distance such that the hold needs no contact nearer than this to a corner; `null` if it needs no contact beside a corner, and 0 without form closure."""
+    tolerance: Optional[float]
+    """Form closure remains if all robots are off by less than this at once, each along the outline, if robots in inward corners stay there; `null` if it remains in any case, and 0 without form closure."""
+    second_order: bool
+    """Whether the object is immobile although first-order motions are free."""
+    free: list[Motion]
+    """The motions that are free; empty in form closure."""
+    slides: Optional[Position]
+    """A direction of unit length in which it can slide; `null` if it cannot."""
+    depends_on: Optional[DependsOn]
+    """The robot on whose accuracy the hold depends, since its contact is at the distance `clearance` from a corner."""
+    clockwise: list[Position]
+    """Corners of the region of free centres of clockwise rotation whose distance from C, in x and in y, is at most 100 times the diagonal of the bounding box; may be empty (even if the region continues farther out), one point or two points. Clockwise assumes that x points right and y up."""
+    counterclockwise: list[Position]
+    """The same for counter-clockwise rotation."""
+
+
+class LimitedBy(TypedDict):
+    what: Union[Literal["fits"], Literal["stands"], Literal["hold"], Literal["capacity"]]
+    robots: list[int]
+    """Those that it depends on, counted from 0."""
+    edge: Optional[int]
+    """Where one has no more room."""
+
+
+class Accuracy(TypedDict):
+    """How far all robots may be off. Each length is null if what it is about does not hold, or has no limit."""
+
+    asked: float
+    """The setting."""
+    all_within: Optional[float]
+    """The least of the last four."""
+    limited_by: Optional[LimitedBy]
+    fits_within: Optional[float]
+    """Robots off by this still fit."""
+    stands_within: Optional[float]
+    """The object still stands."""
+    hold_within: Optional[float]
+    """They still hold it."""
+    capacity_within: Optional[float]
+    """None is overloaded."""
+
+
+class _Robustness(TypedDict):
+    com_margin: float
+    """Tipping distance: the least distance by which C must be off for the object to tip, if robots push back and none is overloaded; 0 with one team of two. If the object falls, minus the distance of C from the lifting base."""
+    failures_carried: int
+    """Number of robots that may fail at once, whichever they are, while the others, if strong enough, still carry the object at rest; −1 if it falls already."""
+    failures_steady: int
+    """The number of failures, of whichever robots, after which C is still inside the others' convex hull by more than τL; −1 if C is not that far inside even with all robots, as with one team."""
+    failures_clear: int
+    """The number of failures after which C is still at least `clear` inside."""
+    load_per_length: Optional[list[float]]
+    """For each robot: the greatest change in its load by springs per unit of length that C moves; `null` if `models` is."""
+
+
+class Robustness(_Robustness, total=False):
+    """What the placement survives."""
+
+    com_radius: float
+    """With a C uncertainty only: as given."""
+    exact_within: Optional[float]
+    """With a C uncertainty only: the distance that C may be off while the same robots carry the object."""
+    plan_ranges: list[list[float]]
+    """The same as `loads.ranges`."""
+    springs_ranges: list[list[float]]
+    """The same by springs."""
+
+
+class Tilt(TypedDict):
+    """When the object tips, in the worst direction."""
+
+    height: float
+    """H."""
+    reach: float
+    """How far from C the weight may act, E + H (S + A √(1 + S²)), where S includes the tilt by uneven heights."""
+    stays: bool
+    """Whether the object stays upright then."""
+    slope: float
+    """The slope, as a ratio, at which it tips in the worst direction; this and the next two each alone, on level, even ground and with C off by up to E."""
+    degrees: float
+    """The same as an angle."""
+    acceleration: float
+    """In g."""
+    acceleration_left: Optional[float]
+    """At which it tips on the given slope; `null` without one."""
+    slope_left: Optional[float]
+    """At which it tips with the given acceleration; `null` without one."""
+
+
+class ExtraLoad(TypedDict):
+    """Where a further load may stand."""
+
+    weight: float
+    """As given; all else is `null` if the object falls."""
+    region: Optional[list[Position]]
+    """Corners of the convex polygon within the object's bounding box in which the weight lifts no robot off and overloads none."""
+    share: Optional[float]
+    """The share of the object's area in it."""
+    anywhere: Optional[float]
+    """The greatest weight that may stand anywhere on the object; `null` for any weight."""
+
+
+VerdictCode = Union[Literal["no_place"], Literal["falls"], Literal["tips"], Literal["overloaded"], Literal["misfit"], Literal["fewer_teams"], Literal["not_upright"], Literal["low_coverage"], Literal["not_held"], Literal["inaccurate"]]
+
+
+class Verdict(TypedDict):
+    """Whether the placement is good, and if not, why."""
+
+    kind: Union[Literal["good"], Literal["warning"], Literal["bad"]]
+    """`bad` if there are no robots, the object falls, it tips under the given conditions, or a robot carries, or within these conditions can carry, more than its capacity as planned; `warning` if there are fewer teams than requested, a robot does not fit, the coverage is below 0.5, C is not clearly inside the lifting base, or the object is not held with a clearance of at least `clear` or to second order; otherwise `good`."""
+    reasons: list[str]
+    """Sentences, the most serious first; none if it is good."""
+    codes: list[VerdictCode]
+    """What each of these sentences is about."""
+
+
+class _Misfit(TypedDict):
+    robot: int
+    """Counted from 0."""
+    why: str
+    """`outside` (no room for the body), `arm` (it would cross the object), `hand` (it would stick out of the object), `hole` (it would reach into a hole), `no-go`, or, for two that collide, `too near robot 2`, counted from 1."""
+
+
+class Misfit(_Misfit, total=False):
+    """A support that does not fit."""
+
+    other: int
+    """Of two that collide, the other one, counted from 0."""
+
+
+class _Failure(TypedDict):
+    robot: int
+    """Counted from 0."""
+    carried: bool
+    """Whether the others carry the object; otherwise all members after `clear` are `null`."""
+    steady: bool
+    """Whether C is inside their convex hull by more than τL."""
+    clear: bool
+    """Whether C is at least `clear` inside."""
+    com_margin: Optional[float]
+    coverage: Optional[float]
+    form_closure: Optional[bool]
+    margin: Optional[float]
+    """Also `null` if there are no contacts."""
+    plan_max: Optional[float]
+    """Greatest load as planned; also `null` if there is no other team."""
+    springs_max: Optional[float]
+    best_max: Optional[float]
+    springs: Optional[list[float]]
+    """The load of each robot by springs, 0 for the failed one; `null` for more than 64 robots, for which all failures together would have millions of loads."""
+
+
+class Failure(_Failure, total=False):
+    """What happens if this robot fails."""
+
+    over_capacity: Optional[bool]
+    """With capacities only: whether one of the others carries more than its capacity by springs, under the given conditions; `null` if it does not stay upright under them."""
+    overloaded: Optional[list[int]]
+    """With capacities only: these robots, counted from 0."""
+    greatest_end: Optional[float]
+    """Only if `loads.ranges` exists: the greatest load within the given conditions; `null` if it does not stay."""
+    stays: Optional[bool]
+    """Only if `loads.ranges` exists: whether the object stays upright under the given conditions."""
+
+
+class FailurePlan(TypedDict):
+    """The robots needed so that any one of them may fail."""
+
+    robots_needed: Optional[int]
+    """The least number of robots found with which, under the given conditions, none carries more than the limit, both as planned with all robots working and by springs after any one has failed, and C is then at least `clear` inside the lifting base of the others; `null` if no number was found."""
+    greatest_load: Optional[float]
+    """With that number."""
+    robots_tried: int
+    """The greatest number of robots tried, 0 if none was."""
+
+
+class Capacity(TypedDict):
+    """What robots can carry, and how many are needed."""
+
+    limit: Optional[float]
+    """The common limit, or `null` if only single supports have one."""
+    overloaded: list[int]
+    """The robots whose planned load exceeds their limit; on slopes, when braked or on uneven ground, those whose greatest end in `loads.ranges` does (`robustness.plan_ranges` also shows which may exceed it if C is anywhere within `com_radius`). Robot 2 *t* + *e* is at end *e* of team *t*, all counted from 0."""
+    teams_needed: Optional[int]
+    """The least number of teams that keeps every robot within the limit; `null` if there is none. With `given` this and the next three contain no plan: they are `null`, and 0 for the numbers tried."""
+    greatest_load: Optional[float]
+    """With that number."""
+    teams_tried: int
+    """The last number of teams tried: at most 512, or 32 for teams that are swapped until they hold, or all teams that find a place; 1 for balanced robots."""
+    robots_needed: Optional[int]
+    """The number of robots in these teams; for balanced robots the least number, up to 64, that the weight and `survive` need."""
+    com_radius: Optional[float]
+    """The greatest C uncertainty with which every load by springs stays within the limit; `null` if a load is already beyond it."""
+    if_one_fails: Optional[FailurePlan]
+    """On the page `null` for balanced robots until it has been computed, since each number requires a search."""
+    use: Optional[float]
+    """The greatest planned load as a part of its robot's capacity, under all given conditions; `null` if the object falls or tips under them."""
+
+
+class Requirement(TypedDict):
+    """A condition, and whether it is kept."""
+
+    condition: str
+    value: Optional[Union[float, bool]]
+    """`null` if there is none."""
+    kept: bool
+
+
+UnusableReason = Union[Literal["no_go"], Literal["body"], Literal["arm"], Literal["corner"], Literal["hand"], Literal["hole"], Literal["near_no_go"], Literal["narrow"]]
+
+
+class Effective(TypedDict):
+    """The values of settings whose defaults depend on the object."""
+
+    clear: float
+    """The setting, or its default of 2 % of R; with `given` less by 1e-4 L, since places that are typed have few digits."""
+    apart: float
+    """The setting, or its default of 12 % of R."""
+    snap: float
+    """The setting, or its default of 1e-4 L."""
+
+
+EvenedOut = TypedDict("EvenedOut", {"robot": int, "from": Position, "to": Position, "by": float})
+"""A support that was moved to even out the loads."""
+
+
 class _PlacementDict(TypedDict):
     polygon: list[Position]
+    """As given."""
     centre_of_mass: Position
+    """Of the object with its cargo, to which everything else refers."""
     own_centre_of_mass: Position
+    """Of the object alone; given to a request, it is the centre of mass of the object without cargo."""
     total_weight: float
+    """With the cargo, from which all loads are computed."""
     metric: Metric
+    """Area (default), circle, distance, distributed, random, balanced or given."""
     min_ratio: float
+    """Minimum load ratio, 0 to 1 (default 0.8)."""
     weight: float
+    """The object's weight (default 100)."""
     seed: int
+    """For the method random (default 1)."""
+    clear: Optional[float]
+    """Clearance: shorter distances are not relied on, of contacts from corners and, after a failure, of the centre of mass from the edge of the lifting base (default 0.02 of the object's radius)."""
     requested_teams: int
+    """With `max` the number of candidates, and with `balanced` and `given` 1."""
     teams: list[Team]
+    """In the order of selection."""
     hull: list[Position]
+    """Corners of the lifting base, counter-clockwise; empty if there is no team."""
     coverage: float
+    """0 to 1."""
     loads: Optional[Loads]
+    """`null` if there is no team or the object falls."""
     closure: Closure
     goal: Goal
     goal_reached: bool
+    """Whether robots are placed and, with the goal `hold`, are in firm form closure."""
     stands: bool
+    """Whether the robots can carry the object: the centre of mass is in the lifting base. Only supports can fail this, or a placement without robots."""
+    held: bool
+    """Whether the robots hold the object: in form closure even without the contacts nearer than `clear` to a corner, or to second order."""
     verdict: Verdict
-    clear: Optional[float]
+    """The page's judgement."""
     tilt: Optional[Tilt]
+    """When the object tips; `null` without a height of C."""
+    effective: Effective
+    """Lengths that settings have here, whether or not they are set."""
+    version: str
+    """Of evenlift."""
 
 
 class PlacementDict(_PlacementDict, total=False):
-    """The output of `evenlift place --json`: a Placement has these members, and json.loads() of its text returns this type."""
+    """What evenlift place --json prints."""
 
     holes: list[list[Position]]
-    cargo: list[CargoItem]
+    """Only if there are any: as given."""
     unit: LengthUnit
+    """Label of lengths: m, cm, mm or in (default none); only if it is set."""
     weight_unit: WeightUnit
-    candidates: list[Candidate]
-    robots: list[Robot]
-    misfits: list[Misfit]
-    tips_over: list[int]
-    search_ended: bool
+    """Label of weights: kg (default), t, N or lb; only if it is set."""
     requested_robots: int
+    """Number of balanced robots, 2 to 64 (default 6); only with balanced robots."""
+    positions: Positions
+    """Best: one place for two edges; range: anywhere in their range; only if it is set."""
     min_margin: float
+    """Minimum margin of a hold (default 0.05); only with balanced robots and with the goal hold."""
     apart: Optional[float]
+    """Preferred minimum distance between robots (default 0.12 of the object's radius); only with balanced robots."""
     survive: int
-    positions: Literal["range"]
+    """Number of failures that balanced robots should survive (default 0); only with balanced robots."""
     supports: list[Position]
+    """Robots that already stand, each perhaps with its capacity; or a file of them; only with supports."""
     snap: float
+    """Supports within S of the outline stand at the edge (default 1e-4 of its size); only with supports."""
     support_capacities: list[Optional[float]]
+    """Capacity of each support, as many as there are supports; it overrides those in supports; only with supports."""
+    cargo: list[CargoItem]
+    """Loads that are fixed to the object, added to those of the file; none removes those; only if it is set."""
+    com_height: float
+    """Height of the centre of mass, with cargo, above the lifting points: at which slope it tips; only if it is set."""
+    slope: float
+    """Greatest slope of the plane of the lifting points: a ratio, 8% or 4.6deg; only if it is set."""
+    acceleration: float
+    """Greatest acceleration along the ground in any direction, in g; only if it is set."""
+    give: float
+    """Length by which a robot gives way under the mean load; only if it is set."""
+    uneven: float
+    """How much the ground or a robot's height is off at most; without --give, loads can reach those at worst; only if it is set."""
+    candidates: list[Candidate]
+    """If they are asked for: in order of slope, for every method, even if it does not use candidates."""
+    robots: list[Robot]
+    """Team by team; missing without a team, like `robustness` and `accuracy`."""
+    misfits: list[Misfit]
+    """With `given` only: the supports that do not fit."""
+    tips_over: list[int]
+    """With `given`, and only if the object falls: the one or two robots over which it tips, counted from 0."""
+    search_ended: bool
+    """With `balanced`: `false` if the search was cut short, which happens on large, strongly winding outlines and with many robots, or while the page is still searching. For teams that are swapped until they hold, `false` if the swaps were cut short; otherwise missing."""
     teams_asked: Union[int, Literal["max"]]
+    """Only if `requested_teams` differs from the request: `max`, or with `balanced` and `given` a link's number of teams for the other methods, unless it is 3. Used when the result is reopened."""
     overlays: Overlays
+    """From a link or the page, unless all are at their defaults."""
     moved: str
+    """From a link with robots moved by hand on the page: their places, in the form used in the link."""
     robot: RobotSize
+    """This and the next two only if robots have a size, or there are no-go edges."""
     no_go: str
     unusable: list[list[Union[float, UnusableReason]]]
+    """The parts of edges that robots cannot use: the edge, counted from 1, from where to where, from 0 to 1, and why."""
     robustness: Robustness
     accuracy: Accuracy
-    extra: ExtraLoad
-    com_height: float
-    slope: float
-    acceleration: float
-    give: float
-    uneven: float
+    """How far robots may be off."""
     failures: list[Failure]
+    """If they are asked for."""
+    extra: ExtraLoad
+    """With `extra` only."""
     capacity: Capacity
+    """With `capacity` or a support's own capacity only."""
     requirements: list[Requirement]
+    """If conditions are required."""
+    evened_out: list[EvenedOut]
+    """With `even_out` only: the supports that were moved."""
+    notices: list[str]
+    """Of requests only: what was left out of polygon or text, such as third coordinates."""
+
+
+class GreedyChoice(TypedDict):
+    taken: list[int]
+    """Candidates, counted from 0."""
+    coverage: float
+
+
+class WidestChoice(TypedDict):
+    taken: list[int]
+    coverage: float
+    bound: float
+    """No choice covers more."""
+    proved: bool
+    """Whether no choice covers more than this one."""
+
+
+class HoldingChoice(TypedDict):
+    taken: list[int]
+    level: int
+    """Of the hold, from 0 (none) to 3."""
+    coverage: float
+    most_level: int
+    """No choice has a higher one."""
+    bound: float
+    """No choice with that level covers more."""
+    proved: bool
+    """Whether no choice is better."""
+
+
+class _Optimum(TypedDict):
+    teams: int
+    candidates: int
+    """Their number."""
+    greedy: GreedyChoice
+    """The choice that is placed."""
+    optimum: WidestChoice
+    """The widest choice that was found."""
+
+
+class Optimum(_Optimum, total=False):
+    """How far the greedy choice of teams is from the best one."""
+
+    hold: HoldingChoice
+    """With the goal `hold` only."""
+    notices: list[str]
+
+
+class ImportedShape(TypedDict):
+    """A shape of a drawing or table."""
+
+    name: str
+    """Of the object or its layer; empty if there is none."""
+    kind: str
+    """In words, such as `rectangle`."""
+    sheet: bool
+    """Whether it is the sheet of a drawing rather than a part on it."""
+    tolerance: Optional[float]
+    """Greatest distance of edges from curves; `null` without curves."""
+    document: dict[str, Any]
+    """Outline, holes, cargo and settings: a polygon for all other requests."""
+
+
+class Shapes(TypedDict):
+    """The shapes of a file."""
+
+    format: str
+    """Such as `DXF`."""
+    unit: str
+    """In words, such as `millimetres`; empty if the text names none."""
+    doubtful: bool
+    """Whether what does not close is larger than the largest shape."""
+    notices: list[str]
+    """Omissions and decisions."""
+    shapes: list[ImportedShape]
+    """One or more; in a drawing the largest first, and sheets last."""
+
+
+class FigureSeries(TypedDict):
+    method: Metric
+    points: list[list[float]]
+    """Robots, value, polygons."""
+
+
+class Figure(TypedDict):
+    """A figure of the thesis's chapter 5."""
+
+    set: str
+    id: str
+    title: str
+    unit: str
+    column: str
+    sentence: str
+    series: list[FigureSeries]
+
+
+class Claim(TypedDict):
+    """A statement of the thesis."""
+
+    section: str
+    """Of the thesis."""
+    what: str
+    thesis: str
+    """What it states."""
+    ours: list[str]
+    """Our measurements, one text for each set."""
+
+
+class Claims(TypedDict):
+    """The thesis's statements beside our measurements."""
+
+    sets: list[str]
+    rows: list[Claim]
+
+
+class FewRobotsRow(TypedDict):
+    what: str
+    robots: int
+    cells: list[str]
+
+
+class FewRobots(TypedDict):
+    set: str
+    rows: list[FewRobotsRow]
+
+
+class Refused(TypedDict):
+    polygon: str
+    problem: str
+
+
+class Place(TypedDict, total=False):
+    """The place of an error, of one of these kinds."""
+
+    line: int
+    """Of the text, counted from 1."""
+    column: int
+    """In characters, counted from 1."""
+    vertices: list[int]
+    """One or two, counted from 0."""
+    edges: list[int]
+    """One or two, counted from 0: edge i runs from vertex i."""
+    rings: list[int]
+    """Of these, or a whole ring: 0 is the outline, 2 the second hole."""
+    centre_of_mass: Literal[True]
+    setting: str
+    """A setting or another member, or its path, such as `supports[3]`."""
+    character: int
+    """In a link, counted from 1; 0 is the whole link."""
+
+
+# --- Arrays, and the tables of experiments
 
 
 class PlacementArrays(TypedDict):
@@ -409,8 +898,6 @@ class CandidateArrays(TypedDict):
     ends: FloatArray
     ratio: FloatArray
 
-
-# --- Experiments
 
 
 class MeasurementRow(TypedDict):
@@ -469,51 +956,6 @@ class PolygonRow(TypedDict):
     problem: str
 
 
-class Refused(TypedDict):
-    polygon: str
-    problem: str
-
-
-class FigureSeries(TypedDict):
-    """Each point is [robots, value, polygons]."""
-
-    method: Metric
-    points: list[list[float]]
-
-
-class Figure(TypedDict):
-    set: str
-    id: str
-    title: str
-    unit: str
-    column: str
-    sentence: str
-    series: list[FigureSeries]
-
-
-class Claim(TypedDict):
-    section: str
-    what: str
-    thesis: str
-    ours: list[str]
-
-
-class Claims(TypedDict):
-    sets: list[str]
-    rows: list[Claim]
-
-
-class FewRobotsRow(TypedDict):
-    what: str
-    robots: int
-    cells: list[str]
-
-
-class FewRobots(TypedDict):
-    set: str
-    rows: list[FewRobotsRow]
-
-
 class ExperimentDict(TypedDict):
     """The members of an Experiment."""
 
@@ -525,19 +967,3 @@ class ExperimentDict(TypedDict):
     figures: list[Figure]
     claims: Claims
     few_robots: list[FewRobots]
-
-
-# --- Errors
-
-
-class Place(TypedDict, total=False):
-    """The place of an error; one line below lists the members of one kind. Vertices and edges count from 0, all else from 1."""
-
-    line: int
-    column: int
-    vertices: list[int]
-    edges: list[int]
-    rings: list[int]
-    centre_of_mass: Literal[True]
-    setting: str
-    character: int

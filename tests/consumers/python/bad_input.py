@@ -6,7 +6,9 @@ import decimal
 import json
 import math
 import multiprocessing
+import pathlib
 import pickle
+import tempfile
 
 import evenlift
 import numpy
@@ -106,37 +108,43 @@ def check_numbers():
     for bad in (math.nan, math.inf, -math.inf, numpy.nan, numpy.float32("inf"), decimal.Decimal("nan")):
         for vertex in ((bad, 1), (1, bad)):
             error = refused(evenlift.place, with_vertex(vertex))
-            assert str(error) == "Vertex 3: a coordinate is not a finite number"
-            assert (error.code, error.place) == ("bad_coordinate", {"vertices": [2]})
+            assert str(error) == "Vertex 3: this is not a finite number"
+            assert (error.code, error.place, error.path) == ("bad_coordinate", {"vertices": [2]}, "polygon[2]")
             error = refused(evenlift.place, l_shape, centre_of_mass=vertex)
             assert (error.code, error.place) == ("bad_coordinate", {"centre_of_mass": True})
         for name in evenlift.Settings.__annotations__:
             error = refused(evenlift.place, l_shape, **{name: bad})
-            assert str(error).startswith(f"{name}: ") and str(error).endswith("is not a finite number")
+            assert str(error) == f"{name}: this is not a finite number"
             assert (error.code, error.place) == ("bad_setting", {"setting": name})
         assert refused(evenlift.experiment, [l_shape], samples=bad).place == {"setting": "samples"}
     array = numpy.array(l_shape)
     array[4, 1] = numpy.nan
     assert refused(evenlift.candidates, array).place == {"vertices": [4]}
     error = refused(evenlift.experiment, {"plate": l_shape, "hammer": array})
-    assert str(error) == "hammer: vertex 5: a coordinate is not a finite number" and error.place == {"vertices": [4]}
+    assert error.path == "polygons[1].polygon[4][1]" and str(error).endswith("this is not a finite number")
 
 
 def check_other_values():
     """So is a value that is not a number, a point, a polygon or a text. Only EvenliftError is raised."""
-    for vertex in ((1, 2, 3), (1,), (), 1, None, (None, 1), ("a", "b"), (1j, 0), (10**400, 0), (1, -(10**5000)), (1e300, 0)):
+    for vertex in ((1, 2, 3, 4), (1,), (), 1, None, (None, 1), ("a", "b"), (1j, 0), (10**400, 0), (1e300, 0)):
         assert refused(evenlift.place, with_vertex(vertex)).place == {"vertices": [2]}, vertex
-    for centre in ((1, 2, 3), 3, ("a", "b"), (10**400, 0), [[1, 2]]):
+    for centre in ((1, 2, 3, 4), 3, ("a", "b"), (10**400, 0), [[1, 2]]):
         assert refused(evenlift.place, l_shape, centre_of_mass=centre).place == {"centre_of_mass": True}, centre
-    for value in ([1], {}, object(), 1j, 10**400, -(10**5000), numpy.array([1, 2]), True, "half \ud800"):
+    for value in ([1], {}, object(), 1j, 10**400, numpy.array([1, 2]), True, "half \ud800"):
         assert refused(evenlift.place, l_shape, weight=value).place == {"setting": "weight"}, type(value)
-    for polygon in (None, 3, math.nan, object()):
+    for polygon in (None, 3, object()):
         assert refused(evenlift.place, polygon).code == "bad_syntax"
-    assert refused(evenlift.place, "(0,0)\n(4,\ud8000)").place == {"line": 2, "column": 4}
+    refused(evenlift.place, l_shape, weight=-(10**5000))
+    refused(evenlift.place, math.nan)
+    refused(evenlift.place, l_shape, cargo={(1, 2): 3})
+    assert refused(evenlift.place, "(0,0)\n(4,\ud8000)").path == "text"
+    assert refused(evenlift.place, l_shape, cargo=[((1, 1), 3), ((1, 1), 0)]).path == "cargo[1][1]"
+    assert refused(evenlift.place, l_shape, supports=[(0, 0), {"at": (4, 0), "capacity": -1}]).path == "supports[1].capacity"
+    assert "give one of them" in str(refused(evenlift.place, l_shape, com=(1, 1), centre_of_mass=(1, 1)))
     refused(evenlift.place, "(0,0)\0")
     refused(evenlift.experiment, {"half \ud800": l_shape})
     refused(evenlift.experiment, [l_shape] * 10001)
-    assert refused(evenlift.place, [(0, 0)] * 1048577).code == "too_many_vertices"
+    assert refused(evenlift.place, [(0, 0)] * 1048578).code == "too_many_vertices"
     for request in ('{"polygon": "\ud800"}', "{\0}"):
         assert refused(evenlift.answer, request).code == "bad_syntax"
 
@@ -165,6 +173,30 @@ def check_numbers_of_others():
     assert evenlift.place(map(list, l_shape), teams="2", weight=numpy.array(30.5), centre_of_mass=[1, 1], seed=None).json == expected
 
 
+def check_kinds_of_polygons():
+    """Rings of geometry libraries, files and results are polygons."""
+    plain = evenlift.place(l_shape)
+    closed = evenlift.place([(x, y, 7) for x, y in [*l_shape, l_shape[0]]])
+    assert closed.pop("notices") == ["third coordinates are left out", "a last vertex that repeats the first is left out"] and closed == plain
+
+    class Geometry:
+        __geo_interface__ = {"type": "Polygon", "coordinates": [[*l_shape, l_shape[0]]]}
+
+    assert evenlift.place(Geometry())["teams"] == plain["teams"]
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "plate.csv"
+        file.write_bytes("x;y;Größe\n".encode("latin-1") + "".join(f"{x};{y};1\n" for x, y in l_shape).encode())
+        assert evenlift.place(file)["teams"] == evenlift.place(file.read_bytes())["teams"] == plain["teams"]
+        assert evenlift.shapes(file)["shapes"][0]["document"]["polygon"] == plain["polygon"]
+    cargo = [((0.5, 0.5), 50, "motor"), {"at": (3, 1), "weight": 2}]
+    loaded = evenlift.place(l_shape, cargo=cargo, teams=2, weight=7)
+    assert evenlift.place(loaded) == loaded and evenlift.place(json.loads(loaded.json)) == loaded
+    own = {name: loaded[name] for name in ("centre_of_mass", "own_centre_of_mass")}
+    assert evenlift.place(l_shape, cargo=cargo, teams=2, weight=7, **own)["centre_of_mass"] == loaded["centre_of_mass"]
+    assert evenlift.optimum(l_shape, teams=2)["teams"] == 2
+    assert evenlift.trace(l_shape, teams=1)[0]["chapter"]
+
+
 def check():
     check_copies()
     check_pools()
@@ -174,3 +206,4 @@ def check():
     check_other_values()
     check_poses()
     check_numbers_of_others()
+    check_kinds_of_polygons()

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "evenlift/document.h"
@@ -16,20 +17,31 @@ namespace evenlift {
 // and a newline at the end. Numbers have the fewest digits that read back to the same double. The
 // bytes are the same on every platform. Loads by models (Asked::models) must be known, and so must
 // failures if the text is to have them. Plans are in the text if they are known. O(output).
+// `beside` is what happened before: which supports were evened out, and what was left out of the
+// input.
+struct Beside {
+  std::optional<std::vector<SupportMove>> evened_out;
+  std::vector<std::string> notices;
+};
 std::string placement_json(const Reported& of, bool with_candidates, bool with_failures,
-                           const std::vector<Requirement>& requirements = {});
+                           const std::vector<Requirement>& requirements = {},
+                           const Beside& beside = {});
 
 // The same with a report of its own, which costs as much as report_of().
 std::string placement_json(const ShownPlacement& of, bool with_candidates, Asked asked = {});
 
 // Returns {"candidates": [{"ends", "ratio", "kind"}]}, as in placement_json(). O(candidates).
-std::string candidates_json(const std::vector<Candidate>& candidates);
+std::string candidates_json(const std::vector<Candidate>& candidates,
+                            const std::vector<std::string>& notices = {});
 
 // Returns a document in the format of placement_json(): the polygon, the centre of mass (null for
 // the centroid) and the settings. read_shapes() (import.h) reads the text back. O(output).
 std::string document_json(const Document& document);
 
-// Returns {"code", "message", "place"} on one line (docs/requests.md). O(1).
+// Returns {"code", "message", "place", "path"} on one line (docs/requests.md). O(1).
 std::string error_json(const InputError& error);
+
+// The version of evenlift, such as "1.0.1".
+std::string_view version();
 
 }  // namespace evenlift

@@ -23,6 +23,8 @@ std::string pair(const Vec2& point);  // [x, y]
 std::string array(const std::vector<std::string>& items);  // on one line
 std::string array(std::initializer_list<std::string> items);
 std::string numbers(const std::vector<double>& values);
+std::string wholes(const std::vector<std::size_t>& values);
+std::string texts(const std::vector<std::string>& values);
 std::string object(const std::vector<Member>& members);  // on one line
 std::string object(std::initializer_list<Member> members);
 

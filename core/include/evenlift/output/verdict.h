@@ -21,6 +21,9 @@ std::string_view name(VerdictKind kind);
 struct Judgement {
   VerdictKind kind = VerdictKind::good;
   std::vector<std::string> reasons;  // sentences, the most serious first
+  // For each sentence what it is about, for programs: no_place, falls, tips, overloaded, misfit,
+  // fewer_teams, not_upright, low_coverage, not_held or inaccurate.
+  std::vector<std::string_view> codes;
 };
 
 // Describes the misfits of given supports (supports.h): returns a sentence for each of the first

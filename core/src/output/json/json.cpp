@@ -143,6 +143,12 @@ std::string loads_json(const Reported& of) {
   return json::long_object(members, 1);
 }
 
+std::string depends_on_json(const Clearance& clearance) {
+  if (!clearance.point) return "null";
+  return json::object({{"robot", std::to_string(*clearance.point)},
+                       {"distance", json::number(clearance.distance)}});
+}
+
 std::string closure_json(const Reported& of) {
   const Closure& closure = of.placement.closure;
   std::vector<std::string> free;
@@ -151,6 +157,8 @@ std::string closure_json(const Reported& of) {
   if (closure.translation_free) free.push_back(json::text("translation"));
   std::vector<json::Member> members = json::quantities_of("closure", of);
   members.push_back({"free", json::array(free)});
+  members.push_back({"slides", closure.translation ? json::pair(*closure.translation) : "null"});
+  members.push_back({"depends_on", depends_on_json(closure.clearance)});
   members.push_back({"clockwise", json::points(closure.clockwise.clipped, 2)});
   members.push_back({"counterclockwise", json::points(closure.counterclockwise.clipped, 2)});
   return json::long_object(members, 1);
@@ -166,12 +174,8 @@ std::string failure_plan_json(const std::optional<FailurePlan>& plan) {
 
 // As in 1.0.0, a C uncertainty alone changes nothing.
 std::string overloaded_json(const Reported& of) {
-  std::vector<std::string> robots;
-  for (const std::size_t robot : of.report.disturbance.besides_com()
-                                     ? of.report.overloaded_as_planned
-                                     : of.report.overloaded_at_rest)
-    robots.push_back(std::to_string(robot));
-  return json::array(robots);
+  return json::wholes(of.report.disturbance.besides_com() ? of.report.overloaded_as_planned
+                                                          : of.report.overloaded_at_rest);
 }
 
 std::string capacity_json(const Reported& of) {
@@ -229,18 +233,22 @@ void add_carrying(std::vector<json::Member>& members, const Reported& of) {
 }
 
 std::string verdict_json(const Judgement& judgement) {
-  std::vector<std::string> reasons;
-  for (const std::string& reason : judgement.reasons) reasons.push_back(json::text(reason));
-  return json::object(
-      {{"kind", json::text(name(judgement.kind))}, {"reasons", json::array(reasons)}});
+  const std::vector<std::string> codes(judgement.codes.begin(), judgement.codes.end());
+  return json::object({{"kind", json::text(name(judgement.kind))},
+                       {"reasons", json::texts(judgement.reasons)},
+                       {"codes", json::texts(codes)}});
 }
 
 // Supports that do not fit, and those over which a falling object tips.
 void add_misfits(std::vector<json::Member>& members, const Reported& of) {
   std::vector<std::string> items, tips_over;
-  for (const Misfit& misfit : of.report.misfits)
-    items.push_back(json::object(
-        {{"robot", std::to_string(misfit.robot)}, {"why", json::text(misfit_in_words(misfit))}}));
+  for (const Misfit& misfit : of.report.misfits) {
+    std::vector<json::Member> of_one = {{"robot", std::to_string(misfit.robot)},
+                                        {"why", json::text(misfit_in_words(misfit))}};
+    if (misfit.why == Misfit::Why::too_near)
+      of_one.push_back({"other", std::to_string(misfit.other)});
+    items.push_back(json::object(of_one));
+  }
   members.push_back({"misfits", json::long_array(items, 1)});
   for (const std::uint32_t robot : of.report.equilibrium.tips_over)
     tips_over.push_back(std::to_string(robot));
@@ -260,6 +268,22 @@ std::string requirements_json(const std::vector<Requirement>& requirements) {
   return json::long_array(items, 1);
 }
 
+std::string effective_json(const Report::Effective& effective) {
+  return json::object({{"clear", json::number(effective.clear)},
+                       {"apart", json::number(effective.apart)},
+                       {"snap", json::number(effective.snap)}});
+}
+
+std::string moves_json(const std::vector<SupportMove>& moves) {
+  std::vector<std::string> items;
+  for (const auto& [robot, from, to] : moves)
+    items.push_back(json::object({{"robot", std::to_string(robot)},
+                                  {"from", json::pair(from)},
+                                  {"to", json::pair(to)},
+                                  {"by", json::number(length(to - from))}}));
+  return json::long_array(items, 1);
+}
+
 // Settings that the results do not show, so that a program can open the result; each only if it is
 // not the default.
 void add_asked(std::vector<json::Member>& members, const Settings& settings,
@@ -274,8 +298,13 @@ void add_asked(std::vector<json::Member>& members, const Settings& settings,
 
 }  // namespace
 
-std::string candidates_json(const std::vector<Candidate>& candidates) {
-  return json::long_object({{"candidates", candidate_list(candidates)}}, 0) + "\n";
+std::string_view version() { return EVENLIFT_VERSION; }
+
+std::string candidates_json(const std::vector<Candidate>& candidates,
+                            const std::vector<std::string>& notices) {
+  std::vector<json::Member> members = {{"candidates", candidate_list(candidates)}};
+  if (!notices.empty()) members.push_back({"notices", json::texts(notices)});
+  return json::long_object(members, 0) + "\n";
 }
 
 std::string placement_json(const ShownPlacement& of, bool with_candidates, Asked asked) {
@@ -284,7 +313,7 @@ std::string placement_json(const ShownPlacement& of, bool with_candidates, Asked
 }
 
 std::string placement_json(const Reported& of, bool with_candidates, bool with_failures,
-                           const std::vector<Requirement>& requirements) {
+                           const std::vector<Requirement>& requirements, const Beside& beside) {
   const Placement& placement = of.placement;
   const Settings& settings = placement.settings;
   const Document asked{{}, {}, settings, of.shown, {}};
@@ -305,7 +334,7 @@ std::string placement_json(const Reported& of, bool with_candidates, bool with_f
   members.push_back({"loads", loads_json(of)});
   members.push_back({"closure", closure_json(of)});
   members.push_back({"goal", json::text(name(goal_of(settings)))});
-  for (const char* member : {"goal_reached", "stands"})
+  for (const char* member : {"goal_reached", "stands", "held"})
     members.push_back(json::quantity(member, of));
   members.push_back({"verdict", verdict_json(judge(of))});
   if (given) add_misfits(members, of);
@@ -323,6 +352,10 @@ std::string placement_json(const Reported& of, bool with_candidates, bool with_f
   if (of.report.known.plans && of.report.has_capacities)
     members.push_back({"capacity", capacity_json(of)});
   if (!requirements.empty()) members.push_back({"requirements", requirements_json(requirements)});
+  members.push_back({"effective", effective_json(of.report.effective)});
+  if (beside.evened_out) members.push_back({"evened_out", moves_json(*beside.evened_out)});
+  if (!beside.notices.empty()) members.push_back({"notices", json::texts(beside.notices)});
+  members.push_back({"version", json::text(version())});
   return json::long_object(members, 0) + "\n";
 }
 

@@ -87,6 +87,18 @@ std::string numbers(const std::vector<double>& values) {
   return out + "]";
 }
 
+std::string wholes(const std::vector<std::size_t>& values) {
+  std::vector<std::string> items;
+  for (const std::size_t value : values) items.push_back(std::to_string(value));
+  return array(items);
+}
+
+std::string texts(const std::vector<std::string>& values) {
+  std::vector<std::string> items;
+  for (const std::string& value : values) items.push_back(text(value));
+  return array(items);
+}
+
 std::string object(const std::vector<Member>& members) { return joined("{", members, ", ", "}"); }
 std::string object(std::initializer_list<Member> members) {
   return joined("{", members, ", ", "}");
@@ -206,9 +218,11 @@ std::string place_json(const Place& place) {
 }  // namespace
 
 std::string error_json(const InputError& error) {
+  const std::string path = path_of(error.place);
   return json::object({{"code", json::text(name(error.code))},
                        {"message", json::text(sentence(error))},
-                       {"place", place_json(error.place)}});
+                       {"place", place_json(error.place)},
+                       {"path", path.empty() ? "null" : json::text(path)}});
 }
 
 }  // namespace evenlift

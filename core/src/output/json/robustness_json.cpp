@@ -21,7 +21,7 @@ std::string written(const std::optional<double>& value, Unit unit) {
 }
 
 std::string failure(std::size_t robot, const std::optional<RestOfRobots>& rest,
-                    const std::optional<bool>& overloads, bool with_disturbance) {
+                    const std::vector<std::size_t>* overloaded, bool with_disturbance) {
   const auto if_carried = [&](const std::string& value) { return rest ? value : "null"; };
   const RestOfRobots known = rest.value_or(RestOfRobots{});
   std::vector<Member> members = {
@@ -37,8 +37,11 @@ std::string failure(std::size_t robot, const std::optional<RestOfRobots>& rest,
       {"springs_max", if_carried(number(known.greatest_by_springs))},
       {"best_max", if_carried(number(known.least_greatest))},
       {"springs", known.springs.empty() ? "null" : numbers(known.springs)}};
-  if (overloads)
-    members.push_back({"over_capacity", known.stays ? if_carried(boolean(*overloads)) : "null"});
+  if (overloaded) {
+    const bool is_known = rest && known.stays;
+    members.push_back({"over_capacity", is_known ? boolean(!overloaded->empty()) : "null"});
+    members.push_back({"overloaded", is_known ? wholes(*overloaded) : "null"});
+  }
   if (with_disturbance) {
     members.push_back({"greatest_end", number_or_null(known.greatest_end)});
     members.push_back({"stays", if_carried(boolean(known.stays))});
@@ -156,10 +159,9 @@ std::string robustness(const Reported& of, const std::optional<ModelLoads>& mode
 std::string failures(const Report& report, int depth) {
   std::vector<std::string> items;
   for (std::size_t robot = 0; robot < report.failures.size(); ++robot)
-    items.push_back(failure(
-        robot, report.failures[robot],
-        report.has_capacities ? std::optional<bool>(report.overloads_after[robot]) : std::nullopt,
-        report.disturbance.any()));
+    items.push_back(failure(robot, report.failures[robot],
+                            report.has_capacities ? &report.overloaded_after[robot] : nullptr,
+                            report.disturbance.any()));
   return long_array(items, depth);
 }
 

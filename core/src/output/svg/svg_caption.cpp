@@ -34,7 +34,7 @@ std::string settings_line(const ShownPlacement& of) {
   if (shown.com_radius > 0)
     add("C uncertainty {length}", {with_length_unit(plain(shown.com_radius), shown.units)});
   const Carrying& carrying = shown.carrying;
-  if (carrying.com_height > 0)
+  if (carrying.has_height())
     add("C at a height of {length}", {with_length_unit(plain(carrying.com_height), shown.units)});
   if (carrying.slope > 0) add("slopes up to {slope}", {slope_in_words(carrying.slope)});
   add(placement.closure.form_closure ? "form closure" : "no form closure");

@@ -68,24 +68,27 @@ Judgement judge(const Reported& of) {
   const Placement& placement = of.placement;
   Judgement judgement;
   std::vector<std::string>& reasons = judgement.reasons;
-  const auto add = [&](std::string reason) {
-    if (!reason.empty()) reasons.push_back(std::move(reason));
+  const auto add = [&](std::string_view code, std::string reason) {
+    if (reason.empty()) return;
+    reasons.push_back(std::move(reason));
+    judgement.codes.push_back(code);
   };
   if (placement.teams.empty()) {
     judgement.kind = VerdictKind::bad;
-    add(placement.search_ended ? shortage_in_words(placement) : loads_in_words(of));
+    add("no_place", placement.search_ended ? shortage_in_words(placement) : loads_in_words(of));
     return judgement;
   }
   const bool stands = placement.loads.has_value();
-  if (!stands) add(loads_in_words(of));
-  if (stands) add(worst_news_in_words(of));
+  if (!stands) add("falls", loads_in_words(of));
+  if (stands) add(of.report.tips ? "tips" : "overloaded", worst_news_in_words(of));
   const bool is_bad = !reasons.empty();
-  for (std::string& misfit : misfits_in_words(of)) add(std::move(misfit));
-  add(shortage_in_words(placement));
-  add(upright_in_words(of));
-  if (placement.coverage < good_coverage && !of.report.tips) add(coverage_in_words(placement));
-  if (!of.report.held) add(closure_in_words(of));
-  add(inaccuracy_in_words(of));
+  for (std::string& misfit : misfits_in_words(of)) add("misfit", std::move(misfit));
+  add("fewer_teams", shortage_in_words(placement));
+  add("not_upright", upright_in_words(of));
+  if (placement.coverage < good_coverage && !of.report.tips)
+    add("low_coverage", coverage_in_words(placement));
+  if (!of.report.held) add("not_held", closure_in_words(of));
+  add("inaccurate", inaccuracy_in_words(of));
   judgement.kind = is_bad            ? VerdictKind::bad
                    : reasons.empty() ? VerdictKind::good
                                      : VerdictKind::warning;

@@ -38,7 +38,7 @@ std::vector<Circumstance> conditions_of(const Shown& shown) {
   if (carrying.slope > 0)
     add("on slopes up to {amount}", "the ground slopes by up to {amount}", "on a slope of {amount}",
         slope_in_words(carrying.slope));
-  if (carrying.acceleration > 0 && carrying.com_height > 0)
+  if (carrying.acceleration > 0 && carrying.has_height())
     add("braked at up to {amount}", "the object is braked at up to {amount}",
         carrying.slope > 0 ? "braked at {amount}" : "braked at {amount} on level ground",
         acceleration_in_words(carrying.acceleration));
@@ -97,11 +97,11 @@ std::string given_in_part_in_words(const Reported& of) {
   const auto add = [&](const std::string& sentence) {
     text += (text.empty() ? "" : " ") + sentence;
   };
-  if (carrying.slope > 0 && !(carrying.com_height > 0))
+  if (carrying.slope > 0 && !carrying.has_height())
     add(
         say("Without the height of the centre of mass, a slope counts only because less of the "
             "weight acts across it: whether the object tips on it is not known."));
-  if (carrying.acceleration > 0 && !(carrying.com_height > 0))
+  if (carrying.acceleration > 0 && !carrying.has_height())
     add(say("The acceleration changes nothing without the height of the centre of mass."));
   if (carrying.uneven > 0 && !carrying.give && !of.report.loads_are_determined) {
     const auto& worst = of.report.worst;
@@ -214,8 +214,8 @@ LoadHere extra_here_in_words(const ExtraLoad& extra, const Vec2& at, const Shown
 std::string tilt_towards_in_words(const Vec2& at, const ShownPlacement& of) {
   const Placement& placement = of.placement;
   const Vec2 towards = at - placement.centre_of_mass;
-  if (!(of.shown.carrying.com_height > 0) || placement.lifting_base.size() < 3 ||
-      !placement.loads || !(length(towards) > 0))
+  if (!of.shown.carrying.has_height() || placement.lifting_base.size() < 3 || !placement.loads ||
+      !(length(towards) > 0))
     return {};
   const double slope =
       tipping_slope(placement.lifting_base, placement.centre_of_mass, towards, of.shown);

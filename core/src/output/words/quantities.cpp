@@ -232,7 +232,7 @@ const Quantity rows[] = {
     {.value = worst_load, .unit = Unit::weight, .better = Better::less, .rounded = Toward::up, .condition = "worst", .subject = "The greatest load that statics allows"},
 
     {.value = [](const Reported& of) -> Known { return of.report.held; }, .unit = Unit::yes_or_no, .better = Better::more,
-     .condition = "held", .subject = "The robots hold the object", .column = "held"},
+     .condition = "held", .subject = "The robots hold the object", .json = "held", .column = "held"},
     {.value = [](const Reported& of) -> Known { return stands(of); }, .unit = Unit::yes_or_no, .better = Better::more,
      .condition = "stands", .subject = "The object stands on its robots", .json = "stands"},
     {.value = [](const Reported& of) -> Known { return of.placement.goal_reached; }, .unit = Unit::yes_or_no, .better = Better::more,

@@ -137,7 +137,7 @@ std::string failures_in_words(const Reported& of) {
   const auto& failures = of.report.failures;
   if (failures.empty()) return {};
   const Units& units = of.shown.units;
-  const std::vector<bool>& overloads = of.report.overloads_after;
+  const auto& overloaded = of.report.overloaded_after;
   const std::string limit = of.report.has_capacities ? limit_in_words(of) : std::string(),
                     conditions = conditions_in_words(of.shown);
   Robots needed, tips, for_steadiness, for_capacity;
@@ -153,7 +153,7 @@ std::string failures_in_words(const Reported& of) {
       continue;
     }
     if (!failures[i]->clear) for_steadiness.push_back(i + 1);
-    if (i < overloads.size() && overloads[i]) for_capacity.push_back(i + 1);
+    if (i < overloaded.size() && !overloaded[i].empty()) for_capacity.push_back(i + 1);
     greatest = std::max(greatest, greatest_after(*failures[i]));
     disturbed = disturbed || is_disturbed(*failures[i]);
   }

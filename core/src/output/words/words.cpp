@@ -525,10 +525,12 @@ std::string sentence(const InputError& error) {
   const bool named = names_its_subject(message);
   // So would "centre of mass".
   const std::string within = error.place.kind == Place::Kind::centre_of_mass ? "" : "the ";
-  const bool doubled = message.find(within + place) != std::string::npos;
-  if (place.empty() || doubled || (named && (option || whole_link))) return with_capital(message);
+  const bool doubled = message.find(within + place) != std::string::npos ||
+                       message.find('"' + place + '"') != std::string::npos;
+  const bool is_name = option && place == error.place.option;  // not "robot 4"
+  if (place.empty() || doubled || (named && (is_name || whole_link))) return with_capital(message);
   // A setting's name keeps its spelling.
-  return option ? place + ": " + message : with_capital(place + ": " + message);
+  return is_name ? place + ": " + message : with_capital(place + ": " + message);
 }
 
 }  // namespace evenlift
