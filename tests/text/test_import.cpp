@@ -1,6 +1,7 @@
 #include "evenlift/import.h"
 
 #include <cmath>
+#include <filesystem>
 
 #include "curves/outline.h"
 #include "evenlift/formats.h"
@@ -10,9 +11,11 @@
 #include "evenlift/placement.h"
 #include "evenlift/polygon.h"
 #include "evenlift/random.h"
+#include "evenlift/settings.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/imported.h"
+#include "kit/json.h"
 #include "kit/random_documents.h"
 
 using namespace evenlift;
@@ -810,4 +813,35 @@ TEST_CASE("names are plain text in one line", "[import]") {
   CHECK(name("a\n b\t\tc \x7f") == "a b c");
   CHECK(name("bad\xff\xc3 bytes") == "bad bytes");
   CHECK(name(std::string(500, 'a')).size() == 80);
+}
+
+TEST_CASE("results and links of 1.0.0 and 1.0.1 are read as ever", "[import][link]") {
+  const std::filesystem::path folder =
+      std::filesystem::path(EVENLIFT_TESTS_DIR) / "data" / "results";
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".json") continue;
+    ++files;
+    INFO(entry.path());
+    const Import result = read(corpus::read_file(entry.path()));
+    std::filesystem::path linked = entry.path();
+    std::string link = corpus::read_file(linked.replace_extension(".link"));
+    const Result<Document> document = decode_link(link.substr(0, link.find('\n')));
+    REQUIRE(document.ok());
+    const Document& found = result.shapes.at(0).document;
+    CHECK(found.vertices == document->vertices);
+    CHECK(found.centre_of_mass == document->centre_of_mass);
+    // A result always names its goal, of which the usual one counts as unset.
+    CHECK(goal_of(found.settings) == goal_of(document->settings));
+    for (const SettingRow& row : all_settings()) {
+      INFO(row.name);
+      if (row.setting != Setting::goal)
+        CHECK(text_of(row.setting, found) == text_of(row.setting, *document));
+    }
+    const auto then = testing::Json::parse(corpus::read_file(entry.path()));
+    const Result<Placement> now = place(found);
+    REQUIRE(now.ok());
+    CHECK(now->requested_teams == then["requested_teams"].whole_number());
+  }
+  CHECK(files == 10);
 }
