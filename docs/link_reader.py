@@ -21,7 +21,7 @@ RECORDS = {1: ("robots", int), 2: ("goal", str), 3: ("min_margin", float), 4: ("
            6: ("positions", str), 7: ("com_radius", float), 8: ("capacity", float), 9: ("robot", str), 10: ("no_go", str),
            11: ("units", str), 12: ("cargo", str), 13: ("holes", list), 17: ("support_capacities", str), 18: ("halo", str), 19: ("moved", str), 20: ("clear", float), 30: ("accuracy", float),
            21: ("supports", list), 22: ("snap", float), 15: ("com_height", float), 23: ("slope", float),
-           24: ("acceleration", float), 25: ("give", float), 26: ("uneven", float), 27: ("extra", float), 31: ("lift", float), 28: ("tilt", str),
+           24: ("acceleration", float), 25: ("give", float), 26: ("uneven", float), 27: ("extra", float), 28: ("tilt", str),
            29: ("load", str)}
 DOUBLES = 23  # the scale that numbers every double
 

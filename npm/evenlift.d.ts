@@ -92,8 +92,6 @@ export interface Settings {
   uneven?: number | null;
   /** A further weight, such as a person: where it may stand. */
   extra?: number | "none" | null;
-  /** How high the object is lifted. */
-  lift?: number | null;
 }
 
 /** A point of a request: x to the right, y up; a third coordinate is left out, with a notice. */
@@ -577,8 +575,6 @@ export interface Placement {
   give?: number;
   /** How much the ground or a robot's height is off at most; without --give, loads can reach those at worst; only if it is set. */
   uneven?: number;
-  /** How high the object is lifted; only if it is set. */
-  lift?: number;
   /** If they are asked for: in order of slope, for every method, even if it does not use candidates. */
   candidates?: Candidate[];
   /** With `max` the number of candidates, and with `balanced` and `given` 1. */

@@ -264,9 +264,6 @@ constexpr LengthRow uneven{Setting::uneven, "Uneven by",
                            "How much the ground, or a robot's height, is off at most",
                            "Unevenness of the ground"};
 
-constexpr LengthRow lift{Setting::lift, "Lifted by", "How high the object is lifted",
-                         "Height of the lift"};
-
 // A ratio with a fixed step.
 struct RatioRow {
   double Carrying::*member;
@@ -330,7 +327,6 @@ void draw_carrying_rows(const Ui& ui) {
   draw_length(ui, height);
   for (const RatioRow& row : ratios) draw_ratio(ui, row);
   draw_length(ui, uneven);
-  draw_length(ui, lift);
   draw_optional(ui, give);
   draw_optional(ui, extra);
   const std::string words = carrying_words(ui.state);

@@ -212,7 +212,6 @@ struct Settings {
 struct Carrying {
   double com_height = 0;  // height of C, of the object with its cargo, above the lifting points,
                           // 0 .. max_length
-  double lift = 0;   // how high the object is lifted, 0 .. max_length
   double slope = 0;  // greatest slope of the plane of the lifting points in any direction, as a
                      // ratio, 0 .. max_slope
   double acceleration = 0;     // greatest acceleration along the ground in any direction, in g,

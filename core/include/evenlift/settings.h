@@ -54,7 +54,6 @@ enum class Setting : std::uint8_t {
   give,
   uneven,
   extra,
-  lift,
   loads,
   failed,
   end_of_settings  // not a setting: counts the settings, each of which needs a row; keep it last

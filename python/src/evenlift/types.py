@@ -130,8 +130,6 @@ class Settings(TypedDict, total=False):
     """How much the ground or a robot's height is off at most; without --give, loads can reach those at worst."""
     extra: Optional[Union[float, Literal["none"]]]
     """A further weight, such as a person: where it may stand."""
-    lift: Optional[float]
-    """How high the object is lifted."""
 
 
 Position = list[float]
@@ -690,8 +688,6 @@ class PlacementDict(_PlacementDict, total=False):
     """Length by which a robot gives way under the mean load; only if it is set."""
     uneven: float
     """How much the ground or a robot's height is off at most; without --give, loads can reach those at worst; only if it is set."""
-    lift: float
-    """How high the object is lifted; only if it is set."""
     candidates: list[Candidate]
     """If they are asked for: in order of slope, for every method, even if it does not use candidates."""
     robots: list[Robot]
