@@ -143,7 +143,11 @@ std::string given_schema(const SettingRow& row) {
   const std::string_view unset = row.setting == Setting::unit ? "none" : row.range.unset;
   if (!unset.empty()) choices.push_back(json::object({{"const", json::text(unset)}}));
   choices.push_back(TypeReader("null").read());
-  return described(json::object({{"anyOf", json::array(choices)}}), row.option.help);
+  Members members = {{"anyOf", json::array(choices)}};
+  if (const std::string usual = row.access.text({}, row.range); !usual.empty())
+    members.push_back({"default", row.access.is_number && usual != unset ? usual : json::text(usual)});
+  if (row.record != 0) members.push_back({"x-link-record", std::to_string(row.record)});
+  return described(json::object(members), row.option.help);
 }
 
 // When a result has the setting, if not always.

@@ -341,7 +341,8 @@ TEST_CASE("the option --shape all places every shape, whatever becomes of the ot
     CHECK(lines.output.substr(0, end) == expected);
     CHECK(lines.output.substr(end + 1) ==
           R"({"shape": 2, "name": "crossed", "error": {"code": "edges_cross", )"
-          R"("message": "Edges 1 and 3 cross, touch or overlap", "place": {"edges": [0, 2]}}})"
+          R"("message": "Edges 1 and 3 cross, touch or overlap", "place": {"edges": [0, 2]}, )"
+          R"("path": "polygon[0]"}})"
           "\n");
     CHECK(run(folder,
               "evenlift place mixed.svg --shape all --json | head -n 1 > line.json; "

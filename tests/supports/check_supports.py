@@ -1038,9 +1038,9 @@ def outside_support(rng, program):
 
     def check(answer):
         expect(answer.status == 2, f"exit status {answer.status}, though supports[{at}] is outside")
-        told = re.search(r"supports\[(\d+)\]: \((\S+), (\S+)\) is (\S+) outside the object(?:; --snap \S+ puts it at the edge)?\n$", answer.error)
+        told = re.search(r"--supports: robot (\d+): \((\S+), (\S+)\) is (\S+) outside the object(?:; --snap \S+ puts it at the edge)?\n$", answer.error)
         expect(told is not None, f"the sentence is {answer.error!r}")
-        expect(int(told[1]) == at, f"it names supports[{told[1]}], not supports[{at}]")
+        expect(int(told[1]) == at + 1, f"it names robot {told[1]}, not robot {at + 1}")
         for k in (0, 1):
             expect_near(float(told[k + 2].replace("−", "-")), p[k], 1e-2 * polygon.size, "a coordinate in the sentence")
         expect_near(float(told[4]), place.edge, 0.06 * place.edge, "the distance in the sentence")
