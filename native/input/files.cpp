@@ -332,8 +332,10 @@ Document choose_shape(const std::string& text, const std::string& source,
                       const ShapeOptions& options) {
   const Import import = read_text(text, source, options);
   const Result<std::size_t> chosen = evenlift::choose_shape(import, options.shape);
+  const bool is_list_of_use = !chosen && chosen.error().code == ErrorCode::unsupported;
   if (!chosen && options.shape)
-    throw Failure{bad_input_status, "--shape", chosen.error().message, listed(import.shapes)};
+    throw Failure{bad_input_status, "--shape", chosen.error().message,
+                  is_list_of_use ? listed(import.shapes) : std::vector<std::string>()};
   if (!chosen)
     throw Failure{bad_input_status, source, chosen.error().message + "; --shape N selects one",
                   listed(import.shapes)};

@@ -162,7 +162,8 @@ struct Import {
 Result<Import> read_shapes(std::string_view text, const ImportOptions& options = {});
 
 // Returns the index of the shape with this number, from 1, or name; without one, the index of the only
-// part. An error says why a choice is needed, or why it is none. O(shapes).
+// part. An error says why a choice is needed, or why it is none: its code is bad_setting if several
+// shapes have the name, otherwise unsupported. O(shapes).
 Result<std::size_t> choose_shape(const Import& import, const std::optional<std::string>& wanted);
 
 // The number of shapes that are not sheets, which come last. O(shapes).

@@ -218,9 +218,11 @@ Result<std::size_t> choose_shape(const Import& import, const std::optional<std::
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     if (shapes[i].name != *wanted) continue;
     if (found)
-      return no_choice(
+      return InputError{
+          ErrorCode::bad_setting,
           say("shapes {first} and {second} are both called {name}; give a number instead",
-              {*found + 1, i + 1, in_quotes(*wanted)}));
+              {*found + 1, i + 1, in_quotes(*wanted)}),
+          {}};
     found = i;
   }
   if (found) return *found;
