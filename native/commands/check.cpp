@@ -95,29 +95,19 @@ std::string as_table(const std::vector<Marked>& all, bool numbers) {
   return table(rows, remarks);
 }
 
-// A cell in CSV (RFC 4180). An apostrophe keeps a spreadsheet from computing it.
-std::string cell(std::string text) {
-  if (!text.empty() && std::string_view("=+-@").find(text[0]) != std::string_view::npos)
-    text.insert(0, "'");
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string as_csv(const std::vector<Marked>& all) {
   std::string text = "line,name,number,done";
   for (const std::string& goal : goals_of(all))
-    text += "," + cell(goal) + "," + cell(goal + " kept");
+    text += "," + csv_cell(goal) + "," + csv_cell(goal + " kept");
   text += ",remark\n";
   const std::size_t goals = goals_of(all).size();
   for (const Marked& marked : all) {
-    text += std::to_string(marked.of->line) + "," + cell(marked.of->name) + "," +
+    text += std::to_string(marked.of->line) + "," + csv_cell(marked.of->name) + "," +
             std::to_string(marked.number) + "," + yes_or_no(marked.attempt.kept);
     for (const Goalpost& goal : marked.attempt.goals)
-      text += "," + cell(goal.value) + "," + yes_or_no(goal.kept);
+      text += "," + csv_cell(goal.value) + "," + yes_or_no(goal.kept);
     for (std::size_t i = marked.attempt.goals.size(); i < goals; ++i) text += ",,";
-    text += "," + cell(marked.problem.empty() ? changes_of(marked) : marked.problem) + "\n";
+    text += "," + csv_cell(marked.problem.empty() ? changes_of(marked) : marked.problem) + "\n";
   }
   return text;
 }

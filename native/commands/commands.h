@@ -23,8 +23,29 @@ void cmd_optimum(const Arguments& arguments);
 void cmd_check(const Arguments& arguments);
 void cmd_experiment(const Arguments& arguments);
 
+// The weight of a part from its area: by a weight for each unit of area, or by thickness and density.
+struct WeightByArea {
+  std::optional<std::string> per_area, thickness, density;
+
+  void declare(CommandLine& line);
+  bool typed() const { return per_area || thickness || density; }
+  // Sets the document's weight, unless its outline is invalid, which place() then says. Throws Failure
+  // with the option's name if a value is invalid.
+  void apply(Document& document) const;
+};
+
+// Of a table of all shapes.
+struct TableOptions {
+  std::optional<std::string> csv, sort, jobs;
+
+  void declare(CommandLine& line);
+  bool typed() const { return csv || sort || jobs; }
+};
+
 struct PlaceOptions {
   InputOptions input;
+  WeightByArea weight;
+  TableOptions table;
   RobustnessOptions robustness;
   bool as_json = false, candidates = false, even_out = false;
   std::optional<std::string> require;

@@ -40,19 +40,6 @@ experiment::ExperimentSettings settings_of(const Options& options) {
   return settings;
 }
 
-unsigned jobs_of(const Options& options) {
-#ifdef __EMSCRIPTEN__
-  constexpr unsigned processors = 1;  // it has no threads
-#else
-  const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
-#endif
-  if (!options.jobs) return processors;
-  const std::uint32_t jobs = whole_option_32("--jobs", *options.jobs);
-  if (jobs < 1 || jobs > 1024)
-    throw Failure{bad_input_status, "--jobs", "the number of threads must be from 1 to 1024"};
-  return jobs;
-}
-
 experiment::Shard shard_of(const Options& options) {
   if (!options.shard) return {};
   const std::size_t slash = options.shard->find('/');
@@ -120,7 +107,7 @@ void run(const Options& options) {
     throw Failure{bad_input_status, "PATH", "missing; see `evenlift experiment --help`"};
   const experiment::ExperimentSettings settings = settings_of(options);
   const experiment::Shard shard = shard_of(options);
-  const unsigned jobs = jobs_of(options);
+  const unsigned jobs = jobs_option(options.jobs);
   const std::vector<PolygonFile> files = find_polygon_files(options.paths);
   check_out(*options.out, files);
   const ExperimentFolder folder = ExperimentFolder::create(*options.out);

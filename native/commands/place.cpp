@@ -240,7 +240,16 @@ void cmd_place(const Arguments& arguments) {
   if (!line.parse(arguments)) return;
   if (options.input.shapes.selects_all()) return place_all(options);
 
+  if (options.table.typed())
+    throw Failure{bad_input_status,
+                  options.table.csv    ? "--csv"
+                  : options.table.sort ? "--sort"
+                                       : "--jobs",
+                  "applies only to --shape all"};
   Input input = options.input.read();
+  if (options.weight.typed() && options.input.settings.typed(Setting::weight))
+    throw Failure{bad_input_status, "--weight", "applies without a weight by area"};
+  options.weight.apply(input.document);
   const std::vector<Condition> conditions = options.conditions();
   const std::optional<PosesAsked> pose_file = options.poses.asked();
   check_outputs(options, pose_file);

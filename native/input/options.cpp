@@ -1,4 +1,7 @@
 #include "input/options.h"
+
+#include <algorithm>
+#include <thread>
 #include "evenlift/import.h"
 #include "evenlift/numbers.h"
 #include "input/command_line.h"
@@ -87,6 +90,20 @@ std::uint64_t whole_option(const std::string& option, const std::string& text, s
   const std::optional<std::uint64_t> value = read_whole(text);
   if (!value || *value > most) throw bad_value(option, "expected a whole number", text);
   return *value;
+}
+
+unsigned jobs_option(const std::optional<std::string>& text) {
+#ifdef __EMSCRIPTEN__
+  const unsigned processors = 1;
+#else
+  const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
+#endif
+  if (!text) return processors;
+  constexpr std::uint64_t most = 1024;
+  const std::optional<std::uint64_t> jobs = read_whole(*text);
+  if (!jobs || *jobs < 1 || *jobs > most)
+    throw Failure{bad_input_status, "--jobs", "the number of threads must be from 1 to 1024"};
+  return static_cast<unsigned>(*jobs);
 }
 
 void setting_option(Setting setting, const std::string& text, Document& document) {

@@ -18,6 +18,10 @@ namespace evenlift::native {
 std::uint64_t whole_option(const std::string& option, const std::string& text,
                            std::uint64_t most = ~std::uint64_t{0});
 
+// The number of threads that --jobs asks for, or that of the processors. Throws Failure if it is not
+// from 1 to 1024.
+unsigned jobs_option(const std::optional<std::string>& text);
+
 // setting_option() reads a setting into the document. loads_option() returns the load model, which
 // is not part of a document. Both throw Failure with the option's name if the text is invalid.
 void setting_option(Setting setting, const std::string& text, Document& document);
@@ -40,10 +44,10 @@ class SettingOptions {
   // The Failure for an error of the document. The Failure names the option at fault, if any.
   Failure failure(const std::string& source, const InputError& error) const;
 
- private:
   using Typed = std::optional<std::string>;
   const Typed& typed(Setting setting) const { return typed_[static_cast<std::size_t>(setting)]; }
 
+ private:
   std::array<Typed, static_cast<std::size_t>(Setting::end_of_settings)> typed_;
 };
 

@@ -145,7 +145,8 @@ std::string given_schema(const SettingRow& row) {
   choices.push_back(TypeReader("null").read());
   Members members = {{"anyOf", json::array(choices)}};
   if (const std::string usual = row.access.text({}, row.range); !usual.empty())
-    members.push_back({"default", row.access.is_number && usual != unset ? usual : json::text(usual)});
+    members.push_back(
+        {"default", row.access.is_number && usual != unset ? usual : json::text(usual)});
   if (row.record != 0) members.push_back({"x-link-record", std::to_string(row.record)});
   return described(json::object(members), row.option.help);
 }

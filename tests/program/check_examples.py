@@ -21,7 +21,9 @@ example = re.compile(r"```sh\n(?P<commands>[^`]*)```\n\n```text\n(?P<printed>[^`
 
 def printed_by(commands, folder):
     """The output of the commands; files that they write go into the folder."""
-    commands = commands.replace("build/bin/", f"{shlex.quote(str(program.parent))}/").replace(" assets/", f" '{root}'/assets/")
+    commands = commands.replace("build/bin/", f"{shlex.quote(str(program.parent))}/")
+    for tree in ("assets", "examples"):
+        commands = commands.replace(f" {tree}/", f" '{root}'/{tree}/")
     done = subprocess.run(["bash", "-c", commands], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     return done.stdout.decode()
 

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <set>
 #include <sstream>
 
 #include "evenlift/output/json_text.h"
@@ -297,25 +300,30 @@ TEST_CASE("the option --shape all places every shape, whatever becomes of the ot
                      "<svg><rect id='table' width='40' height='20'/>"
                      "<polygon id='crossed' points='90,0 94,4 94,0 90,3'/></svg>\n");
   SECTION("as a table, with a row for each") {
-    const Outcome good = run(folder, "evenlift place good.svg --shape all --capacity 15");
+    const Outcome good = run(folder, "evenlift place good.svg --shape all --capacity 15 --teams 3");
     CHECK(good.status == 0);
     CHECK(good.errors.empty());
     CHECK(
         good.output ==
-        "  shape       name  vertices  robots  greatest load  least load  coverage    use  held  overloaded\n"
-        "      1      table         4       6           16.7        16.7     100\u00A0%  112\u00A0%    no           6\n"
-        "      2  rectangle         4       6           16.7        16.7     100\u00A0%  112\u00A0%    no           6\n");
+        "  shape       name         size  weight  robots  greatest load  least load  coverage    use  held  overloaded  verdict\n"
+        "      1      table  40.0 x 20.0     100       6           16.7        16.7     100\u00A0%  112\u00A0%    no           6      bad\n"
+        "      2  rectangle    4.0 x 4.0     100       6           16.7        16.7     100\u00A0%  112\u00A0%    no           6      bad\n");
+    // Without a number, each part gets the one that it needs.
+    CHECK(run(folder, "evenlift place good.svg --shape all --capacity 15")
+              .output.find("      1      table  40.0 x 20.0     100       8           12.5") !=
+          std::string::npos);
     const Outcome mixed = run(folder, "evenlift place mixed.svg --shape all");
     CHECK(mixed.status == 2);
     CHECK(mixed.errors == "evenlift: mixed.svg: 1 of 2 shapes was refused\n");
-    CHECK(
-        mixed.output.find("      2  crossed         4  Edges 1 and 3 cross, touch or overlap\n") !=
-        std::string::npos);
+    CHECK(mixed.output.find(
+              "      2  crossed    4.0 x 4.0     100  Edges 1 and 3 cross, touch or overlap\n") !=
+          std::string::npos);
     const Outcome falls = run(folder, "evenlift place square.txt --shape all --supports '0,0 1,0'");
     CHECK(falls.status == 0);
-    CHECK(falls.output.find(
-              "      1  polygon         4       2              -           -         -     -\n") !=
-          std::string::npos);
+    CHECK(
+        falls.output.find(
+            "      1  polygon  4.00 x 4.00     100       2              -           -         -     -      bad\n") !=
+        std::string::npos);
   }
   SECTION("with ranges, whose greatest end it shows") {
     const Outcome ranges = run(folder, "evenlift place '" EVENLIFT_ASSETS_DIR
@@ -337,10 +345,12 @@ TEST_CASE("the option --shape all places every shape, whatever becomes of the ot
     const std::size_t end = lines.output.find('\n');
     Outcome alone = run(folder, "evenlift place mixed.svg --shape 1" + options);
     std::string expected = json::on_one_line(alone.output);
-    expected.insert(1, R"("shape": 1, "name": "table", )");
+    expected.insert(
+        1, R"("shape": 1, "name": "table", "at": [20, -10], "size": [40, 20], "area": 800, )");
     CHECK(lines.output.substr(0, end) == expected);
     CHECK(lines.output.substr(end + 1) ==
-          R"({"shape": 2, "name": "crossed", "error": {"code": "edges_cross", )"
+          R"({"shape": 2, "name": "crossed", "at": [92, -2], "size": [4, 4], "area": 0, )"
+          R"("error": {"code": "edges_cross", )"
           R"("message": "Edges 1 and 3 cross, touch or overlap", "place": {"edges": [0, 2]}, )"
           R"("path": "polygon[0]"}})"
           "\n");
@@ -353,7 +363,7 @@ TEST_CASE("the option --shape all places every shape, whatever becomes of the ot
     const Outcome outcome = run(folder, "evenlift place good.svg --shape all --require held");
     CHECK(outcome.status == 3);
     CHECK(outcome.errors.empty());
-    CHECK(outcome.output.find("held  kept\n") != std::string::npos);
+    CHECK(outcome.output.find("held  kept  verdict\n") != std::string::npos);
     CHECK(run(folder, "evenlift place good.svg --shape all --require stands").status == 0);
     CHECK(run(folder, "evenlift place mixed.svg --shape all --require held").status == 2);
   }
@@ -468,5 +478,56 @@ TEST_CASE("bytes that are no text are refused, not misread", "[cli]") {
     CHECK(outcome.status == 2);
     CHECK(outcome.output.empty());
     CHECK(std::count(outcome.errors.begin(), outcome.errors.end(), '\n') == 1);
+  }
+}
+
+TEST_CASE("parts of a sheet have their own weights, numbers of robots and names", "[cli][slow]") {
+  const Folder folder("sheet");
+  const std::string sheet = " '" +
+                            std::filesystem::path(EVENLIFT_TESTS_DIR).parent_path().string() +
+                            "/examples/sheet/sheet.dxf' --shape all ";
+  const std::string steel = sheet + "--thickness 8 --density 7850/m3 --capacity 0.25";
+  const Outcome table = run(folder, "evenlift place" + steel + " --csv parts.csv");
+  CHECK(table.status == 0);
+  const std::string csv = corpus::read_file(folder.path() / "parts.csv");
+  std::istringstream lines(csv);
+  std::string line;
+  std::set<std::string> names;
+  std::getline(lines, line);
+  CHECK(line.starts_with("shape,name,x,y,width,height,area,weight,robots,greatest_load,"));
+  std::size_t number = 0;
+  while (std::getline(lines, line)) {
+    std::vector<std::string> cells;
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+    // In the order of the file, named by their texts.
+    std::string name = "P" + std::to_string(++number);
+    while (name.size() < 4) name.insert(1, "0");
+    CHECK(cells[1] == name);
+    names.insert(cells[1]);
+    CHECK(std::stod(cells[7]) == Approx(std::stod(cells[6]) * 8 * 7850e-9));
+    CHECK(std::stod(cells[9]) <= 0.25 * (1 + 1e-9));
+  }
+  CHECK(names.size() == 200);
+  SECTION("and the same bytes for any number of threads") {
+    const std::string one = run(folder, "evenlift place" + steel + " --json --jobs 1").output;
+    CHECK(std::count(one.begin(), one.end(), '\n') == 200);
+    CHECK(one.starts_with(R"({"shape": )"));
+    CHECK(run(folder, "evenlift place" + steel + " --json --jobs 3").output == one);
+  }
+  SECTION("which rows may be sorted by") {
+    for (const auto& [column, at] : {std::pair("area", 6), {"weight", 7}, {"load", 9}}) {
+      run(folder, "evenlift place" + steel + " --csv sorted.csv --sort " + column);
+      std::istringstream rows(corpus::read_file(folder.path() / "sorted.csv"));
+      std::getline(rows, line);
+      double before = std::numeric_limits<double>::infinity();
+      while (std::getline(rows, line)) {
+        std::istringstream row(line);
+        std::string cell;
+        for (int i = 0; i <= at; ++i) std::getline(row, cell, ',');
+        CHECK(std::stod(cell) <= before);
+        before = std::stod(cell);
+      }
+    }
   }
 }

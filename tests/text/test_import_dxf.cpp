@@ -1,6 +1,7 @@
 // Blocks, visibility, old polylines and splines.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -570,4 +571,40 @@ TEST_CASE("DXF: lines that cross, so that nothing is enclosed, are named", "[imp
       evenlift::testing::refusal("0\nSECTION\n2\nENTITIES\n" + bow + "0\nENDSEC\n0\nEOF\n") ==
       "this DXF drawing has no closed outline: the line from (0, 0) to (120, 80) crosses that from (120, 0) to "
       "(0, 80)");
+}
+
+TEST_CASE("DXF: parts are named by the texts in them, else by the nearest beside them",
+          "[import][dxf]") {
+  const auto square_at = [](double x, double side = 10) {
+    return polyline({{x, 0}, {x + side, 0}, {x + side, side}, {x, side}}, "PARTS");
+  };
+  const auto text = [](double x, double y, const std::string& words, const char* type = "TEXT") {
+    return lines({{0, type}, {8, "NOTES"}, {10, x}, {20, y}, {1, words}});
+  };
+  const auto names = [](const std::string& entities) {
+    std::map<double, std::string> by_place;
+    const Import import = read(drawing(entities));
+    for (const ImportedShape& shape : import.shapes)
+      by_place[bounding_box(shape.document.vertices).low.x] = shape.name;
+    std::vector<std::string> all;
+    for (const auto& [x, name] : by_place) all.push_back(name);
+    return all;
+  };
+  using Names = std::vector<std::string>;
+  const std::string three = square_at(0) + square_at(30) + square_at(60);
+  CHECK(names(three) == Names{"PARTS", "PARTS", "PARTS"});
+  CHECK(names(three + text(1, 1, "P1") + text(31, 9, "P2") + text(61, -3, "P3")) ==
+        Names{"P1", "P2", "P3"});
+  // Of several texts the one nearest to the middle; one that is far from all names none.
+  CHECK(names(three + text(1, 1, "steel") + text(5, 5, "P1") + text(45, 40, "a title")) ==
+        Names{"P1", "PARTS", "PARTS"});
+  // Words without the codes for their format; a text with a faulty place is left out like others.
+  CHECK(names(three + text(5, 5, "{\\fArial|b1;P\\H2x;1}\\Psteel", "MTEXT") +
+              lines({{0, "TEXT"}, {8, "0"}, {10, "x"}, {20, 5}, {1, "no"}})) ==
+        Names{"P1 steel", "PARTS", "PARTS"});
+  // A drawing of one part keeps the name of its layer.
+  CHECK(names(square_at(0) + text(5, 5, "P1")) == Names{"PARTS"});
+  // Texts that became names were not left out.
+  const auto notes = read(drawing(three + text(1, 1, "P1") + text(200, 0, "far"))).notes;
+  CHECK(std::find(notes.begin(), notes.end(), "1 text was left out") != notes.end());
 }

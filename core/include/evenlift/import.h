@@ -33,13 +33,17 @@ struct ImportOptions {
 
 struct ImportedShape {
   Document document;
-  std::string name;  // of the object or its layer, as UTF-8 without control characters, or empty
+  // As UTF-8 without control characters: of several parts of a DXF drawing, the text in the part or,
+  // if there is none, the nearest one beside it; otherwise the name of the object or its layer, or
+  // empty.
+  std::string name;
   std::string kind;  // in words, such as "rectangle"
   // The greatest distance of edges from the curves that they replace, also in holes; not set if
   // there are no curves.
   std::optional<double> tolerance;
   // Whether it is the sheet or border of a drawing rather than a part on it. Sheets come last.
   bool sheet = false;
+  std::size_t order = 0;  // its place in the text among the shapes, from 0
 };
 
 inline constexpr std::size_t most_open_points = 10000;

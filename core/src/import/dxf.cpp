@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "evenlift/numbers.h"
 #include "evenlift/wording.h"
 #include "import/dxf/drawing.h"
 #include "import/gathering.h"
@@ -69,6 +70,44 @@ bool within_bounds(const Outline& outline) {
   };
   return small(outline.start) &&
          std::all_of(outline.pieces.begin(), outline.pieces.end(), all_small);
+}
+
+// Nothing for other objects, and for a text with a faulty place, which is left out like all texts.
+std::optional<Vec2> place_of_text(const DxfEntity& entity) {
+  if (entity.type != "TEXT" && entity.type != "MTEXT") return std::nullopt;
+  std::optional<double> x, y;
+  for (const DxfGroup& group : entity.groups) {
+    if (group.code == 10) x = read_number(group.value);
+    if (group.code == 20) y = read_number(group.value);
+  }
+  return x && y ? std::optional(Vec2(*x, *y)) : std::nullopt;
+}
+
+// A text without codes for its format, such as "{\\fArial;P 7}\\Psteel". A text that stands for a value,
+// such as "%%d", keeps its code.
+std::string words_of_text(const DxfEntity& entity) {
+  std::string raw, words;
+  for (const DxfGroup& group : entity.groups)
+    if (group.code == 1 || group.code == 3) raw += group.value;
+  if (entity.type == "TEXT") return raw;
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    const char c = raw[i];
+    if (c == '{' || c == '}') continue;
+    if (c != '\\' || i + 1 == raw.size()) {
+      words += c;
+      continue;
+    }
+    const char code = raw[++i];
+    if (code == '\\' || code == '{' || code == '}') {
+      words += code;
+    } else if (std::string_view("PXN~").find(code) != std::string_view::npos) {
+      words += ' ';  // a new line or column
+    } else if (code != 'L' && code != 'l' && code != 'O' && code != 'o' && code != 'K' &&
+               code != 'k') {
+      i = std::min(raw.find(';', i), raw.size());  // the code has a value
+    }
+  }
+  return words;
 }
 
 class DxfReader {
@@ -209,6 +248,8 @@ void DxfReader::take(DxfEntity& entity, const Frame& frame) {
   if (entity.tilt() > same_point) return leave_out(in_other_plane);
   if (type == "INSERT") return insert(entity, layer, frame);
   if (is_drawn(type)) return take_drawn(entity, layer, frame);
+  if (const auto at = place_of_text(entity))
+    gathering_.add_text(frame.map(*at), with_letters(words_of_text(entity)), written.one);
   for (const LeftOutKind& other : left_out_kinds)
     if (type == other.type) return leave_out(other.name);
   const std::string clean = clean_name(type);

@@ -220,6 +220,12 @@ std::size_t LeftOut::total() const {
   return all;
 }
 
+void LeftOut::remove(std::string_view one, std::size_t count) {
+  for (Kind& kind : counts_)
+    if (kind.one == one) kind.count -= std::min(count, kind.count);
+  std::erase_if(counts_, [](const Kind& kind) { return kind.count == 0; });
+}
+
 bool Gathering::has_room(std::size_t vertices) {
   if (full_) return false;
   if (outlines_ == max_shapes)
@@ -558,6 +564,83 @@ void Gathering::add(Document document, std::string_view name, std::string_view k
   import.shapes.push_back({std::move(document), clean_name(name), std::string(kind), {}});
 }
 
+void Gathering::add_text(const Vec2& at, std::string_view words, std::string_view kind) {
+  constexpr std::size_t most_texts = 10000;
+  std::string clean = clean_name(words);
+  if (texts_.size() < most_texts && !clean.empty())
+    texts_.push_back({at, std::move(clean), std::string(kind)});
+}
+
+namespace {
+
+double distance(const Box& box, const Vec2& p) {
+  return length(Vec2(std::max({box.low.x - p.x, p.x - box.high.x, 0.0}),
+                     std::max({box.low.y - p.y, p.y - box.high.y, 0.0})));
+}
+
+// By the number of edges that a ray crosses; a text on an edge may be on either side. O(n).
+bool is_around(const Points& ring, const Vec2& p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 &a = ring[i], &b = ring[i + 1 == ring.size() ? 0 : i + 1];
+    if ((a.y > p.y) == (b.y > p.y)) continue;
+    if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+  }
+  return inside;
+}
+
+// The part to which a text belongs: the smallest one around it, or the nearest one that is not farther
+// off than half its own size.
+struct Labelled {
+  std::size_t part;
+  bool inside;
+  double far;  // from the middle of the part, or from its box
+};
+std::optional<Labelled> labelled(const std::vector<ImportedShape>& shapes,
+                                 const std::vector<Box>& boxes, const Vec2& at) {
+  std::optional<Labelled> found;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (shapes[i].sheet) continue;
+    const double far = distance(boxes[i], at);
+    const bool inside = far == 0 && is_around(shapes[i].document.vertices, at);
+    if (!inside && 2 * far > larger_side(boxes[i])) continue;
+    const bool better = !found || (inside && !found->inside) ||
+                        (inside && boxes[i].area() < boxes[found->part].area()) ||
+                        (!inside && !found->inside && far < found->far);
+    if (better) found = Labelled{i, inside, far};
+  }
+  if (found && found->inside) found->far = length(at - boxes[found->part].middle());
+  return found;
+}
+
+}  // namespace
+
+// O(texts x shapes), plus O(n) for each part around a text.
+void Gathering::name_by_texts() {
+  std::vector<ImportedShape>& shapes = import.shapes;
+  const auto parts = std::count_if(shapes.begin(), shapes.end(),
+                                   [](const ImportedShape& shape) { return !shape.sheet; });
+  if (parts < 2) return;
+  std::vector<Box> boxes;
+  for (const ImportedShape& shape : shapes) boxes.push_back(bounding_box(shape.document.vertices));
+  std::vector<std::pair<const Text*, Labelled>> names(shapes.size(), {nullptr, {}});
+  for (const Text& text : texts_) {
+    const auto found = labelled(shapes, boxes, text.at);
+    if (!found) continue;
+    auto& [known, label] = names[found->part];
+    const bool nearer = found->inside != label.inside ? found->inside : found->far < label.far;
+    if (!known || nearer) {
+      known = &text;
+      label = *found;
+    }
+  }
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (!names[i].first) continue;
+    shapes[i].name = names[i].first->words;
+    left_out.remove(names[i].first->kind, 1);
+  }
+}
+
 void Gathering::add_problem(InputError error) {
   ++problems_;
   if (!first_problem_) first_problem_ = std::move(error);
@@ -573,7 +656,9 @@ Result<Import> Gathering::finish(InputError nothing) {
     if (first_problem_) return *std::move(first_problem_);
     return nothing;
   }
+  for (std::size_t i = 0; i < import.shapes.size(); ++i) import.shapes[i].order = i;
   if (!drawn_.empty()) nest_outlines();
+  if (!texts_.empty()) name_by_texts();
   if (!left_out.empty())
     note(say(left_out.total() == 1 ? "{things} was left out" : "{things} were left out",
              {left_out.list()}));

@@ -40,6 +40,8 @@ class LeftOut {
   // The counts in words, such as "2 texts and 1 dimension", in the order of first appearance.
   std::string list() const;
   std::size_t total() const;
+  // Takes back so many.
+  void remove(std::string_view one, std::size_t count);
 
  private:
   struct Kind {
@@ -81,6 +83,8 @@ class Gathering {
   void add(Document document, std::string_view name, std::string_view kind);
   // Counts a shape that is left out because of this error.
   void add_problem(InputError error);
+  // A text of a drawing, which was counted in left_out as `kind`: it may name the part at its place.
+  void add_text(const Vec2& at, std::string_view words, std::string_view kind);
   // Whether the limit of shapes or vertices is reached, so that a reader may stop.
   bool full() const { return full_.has_value(); }
   // The greatest number of holes that a shape keeps. If holes are left out later, it is
@@ -107,6 +111,7 @@ class Gathering {
   void add_filled(const DrawnShape& drawn, std::vector<Flattened> rings);
   void name_parts(const std::vector<OutlineWithHoles>& shapes);
   void note_joining(const Joining& joining);
+  void name_by_texts();
   void keep_open(const Outline& line);
   void nest_outlines();
 
@@ -115,6 +120,11 @@ class Gathering {
   std::string gap_;
   double left_open_ = 0;  // the greatest_open of the pieces (joining.h)
   std::size_t open_points_ = 0;
+  struct Text {
+    Vec2 at;
+    std::string words, kind;
+  };
+  std::vector<Text> texts_;
   std::vector<Drawn> drawn_;  // by shape, if the shapes are outlines of a drawing
   std::size_t paths_ = 0;
   std::size_t outlines_ = 0;  // all shapes and, in a drawing, all holes
