@@ -62,7 +62,8 @@ void WeightByArea::apply(Document& document) const {
   document.settings.weight = weight * object->area();
   if (!is_in_range(Setting::weight, document.settings.weight))
     throw Failure{bad_input_status, per_area ? "--weight-per-area" : "--density",
-                  "makes a weight of " + shortest(document.settings.weight)};
+                  "makes a weight of " + shortest(document.settings.weight) +
+                      "; it must be from 1e-100 to 1e100"};
 }
 
 void TableOptions::declare(CommandLine& line) {
