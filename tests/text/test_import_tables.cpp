@@ -409,7 +409,9 @@ TEST_CASE("a column of words or small numbers tells the shapes, whatever its nam
   // Amounts do not, and are named.
   const Import holes = read("x,y,Dia\n0,0,5\n120,0,5\n120,80,5\n0,80,6\n0,70,6\n0,60,6\n");
   CHECK(holes.shapes.size() == 1);
-  CHECK(holes.notes == std::vector<std::string>{"the column \"Dia\" was left out"});
+  CHECK(holes.notes ==
+        std::vector<std::string>{"the column \"Dia\" was left out: if the rows are holes, they are "
+                                 "not an outline; if robots stand there, they are supports"});
   const Import supports = read("x,y,capacity\n10,10,25\n110,10,25\n110,70,24\n10,70,26\n");
   CHECK(supports.notes ==
         std::vector<std::string>{"the column \"capacity\" was left out: if the rows are places of "

@@ -217,11 +217,15 @@ bool ColumnReader::take_names(const Line& heading, const Line& row, const Fields
   for (std::size_t i = 0; i < best->size(); ++i)
     if (i != x_ && i != y_ && std::find(shapes_.begin(), shapes_.end(), i) == shapes_.end() &&
         !(*best)[i].empty() && !may_tell_shapes((*best)[i]))
-      gathering_.note(say(tells_capacity((*best)[i])
-                              ? "the column {name} was left out: if the rows are places of robots, "
-                                "they are supports, not an outline"
-                              : "the column {name} was left out",
-                          {in_quotes(clean_name((*best)[i]))}));
+      gathering_.note(
+          say(tells_capacity((*best)[i])
+                  ? "the column {name} was left out: if the rows are places of robots, "
+                    "they are supports, not an outline"
+              : tells_size((*best)[i])
+                  ? "the column {name} was left out: if the rows are holes, they are not "
+                    "an outline; if robots stand there, they are supports"
+                  : "the column {name} was left out",
+              {in_quotes(clean_name((*best)[i]))}));
   return true;
 }
 

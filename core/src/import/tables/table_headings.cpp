@@ -441,13 +441,21 @@ bool tells_capacity(std::string_view heading) {
                      [](auto& word) { return is_among(word, capacities); });
 }
 
-bool tells_amounts(std::string_view heading) {
-  static constexpr std::string_view amounts[] = {"load",     "last",        "charge", "weight",
-                                                 "gewicht",  "poids",       "dia",    "diameter",
-                                                 "diametre", "durchmesser", "radius", "thickness"};
+bool tells_size(std::string_view heading) {
+  static constexpr std::string_view sizes[] = {
+      "dia",      "diam",        "diameter", "diametre", "diam\xc3\xa8tre", "di\xc3\xa1metro",
+      "diametro", "durchmesser", "radius",   "radio",    "rayon",           "drill"};
   const Words words = words_of(heading);
-  return tells_capacity(heading) || std::any_of(words.begin(), words.end(),
-                                                [](auto& word) { return is_among(word, amounts); });
+  return std::any_of(words.begin(), words.end(), [](auto& word) { return is_among(word, sizes); });
+}
+
+bool tells_amounts(std::string_view heading) {
+  static constexpr std::string_view amounts[] = {"load",    "last",  "charge",   "weight",
+                                                 "gewicht", "poids", "thickness"};
+  const Words words = words_of(heading);
+  return tells_capacity(heading) || tells_size(heading) ||
+         std::any_of(words.begin(), words.end(),
+                     [](auto& word) { return is_among(word, amounts); });
 }
 
 Fields names_among(const Fields& words) {

@@ -89,6 +89,8 @@ bool may_tell_shapes(std::string_view heading);
 // Whether a column has capacities, such as "capacity (kg)"; or these or other amounts, such as "Dia".
 // O(heading).
 bool tells_capacity(std::string_view heading);
+// Whether the heading names the size of a round hole, such as "Dia".
+bool tells_size(std::string_view heading);
 bool tells_amounts(std::string_view heading);
 
 // The words that name columns, such as X and Y in "X coord Y coord". Words such as "coord" are
