@@ -163,10 +163,23 @@ std::string without_extension(fs::path path) { return path.replace_extension().g
 
 bool is_polygon_file(const fs::path& path) {
   const std::string name = path.filename().string(), extension = path.extension().string();
-  // Not .csv, in which experiments write results: a table of vertices must be given by itself.
-  constexpr std::string_view endings[] = {".txt", ".wkt", ".json", ".geojson", ".svg", ".dxf"};
+  constexpr std::string_view endings[] = {".txt",     ".csv", ".wkt", ".json",
+                                          ".geojson", ".svg", ".dxf"};
   return name != "index.txt" &&
          std::find(std::begin(endings), std::end(endings), extension) != std::end(endings);
+}
+
+// Whether an experiment wrote it: its tables stand together, its parts in a folder of their own.
+bool is_result(const fs::path& path) {
+  const std::string name = path.filename().string();
+  const fs::path folder = path.parent_path();
+  if (folder.filename() == "parts")
+    return name.starts_with("polygon-") || name.starts_with("shard-");
+  std::error_code error;
+  for (const char* written : {"measurements.csv", "aggregates.csv", "polygons.csv", "times.csv",
+                              "thesis.md", "robots.md", "report.html"})
+    if (name == written) return fs::exists(folder / "measurements.csv", error);
+  return false;
 }
 
 bool hidden(const fs::path& path) {
@@ -187,9 +200,23 @@ std::string folder_name(const std::string& folder) {
   return last.filename().empty() ? last.generic_string() : last.filename().generic_string();
 }
 
+// Says what a folder has besides polygons.
+void tell_left_out(const std::string& folder, std::vector<std::string> names) {
+  constexpr std::size_t most_named = 5;
+  if (names.empty()) return;
+  std::sort(names.begin(), names.end());
+  std::string text = names.size() == 1 ? "1 file was left out: "
+                                       : std::to_string(names.size()) + " files were left out: ";
+  for (std::size_t i = 0; i < names.size() && i < most_named; ++i)
+    text += (i == 0 ? "" : ", ") + names[i];
+  if (names.size() > most_named) text += " …";
+  print_failure({0, folder, text, {}});
+}
+
 void add_folder(const std::string& folder, std::vector<PolygonFile>& files) {
   const std::size_t before = files.size();
   const std::string set = folder_name(folder);
+  std::vector<std::string> left_out;
   std::error_code error;
   fs::recursive_directory_iterator at(folder, error), end;
   for (; !error && at != end; at.increment(error)) {
@@ -197,16 +224,19 @@ void add_folder(const std::string& folder, std::vector<PolygonFile>& files) {
     const bool is_folder = at->is_directory(error);
     if (hidden(path)) {
       if (is_folder) at.disable_recursion_pending();
-    } else if (!is_folder && is_polygon_file(path)) {
+    } else if (!is_folder && is_polygon_file(path) && !is_result(path)) {
       files.push_back(
           {set, without_extension(path.lexically_relative(folder)), path.generic_string()});
+    } else if (!is_folder && path.filename() != "index.txt" && !is_result(path)) {
+      left_out.push_back(path.lexically_relative(folder).generic_string());
     }
   }
   if (error) unreadable(folder, error);
   if (files.size() == before)
     throw Failure{
         bad_input_status, folder,
-        "no polygon in this folder: no file name ends in .txt, .wkt, .json, .geojson, .svg or .dxf"};
+        "no polygon in this folder: no file name ends in .txt, .csv, .wkt, .json, .geojson, .svg or .dxf"};
+  tell_left_out(folder, std::move(left_out));
 }
 
 // The folder's name identifies its set.

@@ -89,8 +89,9 @@ struct PolygonFile {
 inline constexpr const char* single_files = "files";
 
 // Finds the given files and, in the given folders and their sub-folders, all files whose names end
-// in .txt, .wkt, .json, .geojson, .svg or .dxf. Ignores hidden files and folders, and index.txt,
-// which is a list of contents. Each given folder is a set, and the given files together are another
+// in .txt, .csv, .wkt, .json, .geojson, .svg or .dxf. Ignores hidden files and folders, the results of
+// experiments, and index.txt, which is a list of contents; says on standard error what else it leaves
+// out. Each given folder is a set, and the given files together are another
 // set. The result is sorted by set and name. Throws Failure for a missing path, a folder without
 // polygon files, two sets with the same name, and two files of a set with the same name.
 std::vector<PolygonFile> find_polygon_files(const std::vector<std::string>& paths);

@@ -171,6 +171,19 @@ class Runs(Case):
         shutil.copy(POLYGONS / "arrow.txt", self.inputs / "broken.txt")
         self.assertEqual(len(self.experiment("bad", status=1).stderr.splitlines()), 3)
 
+    def test_tables_are_read_and_other_files_of_a_folder_are_named(self):
+        shutil.copy(POLYGONS / "square.txt", self.inputs / "before.txt")
+        (self.inputs / "triangle.csv").write_text("x,y\n0,0\n4,0\n0,3\n")
+        (self.inputs / "notes.md").write_text("not a polygon\n")
+        # The results stand in the folder itself, and are not read as polygons the next time.
+        out = self.inputs / "report"
+        for _ in range(2):
+            done = self.experiment(out)
+            self.assertEqual(done.stderr, f"evenlift: {self.inputs}: 1 file was left out: notes.md\n")
+        measured = {row["polygon"] for row in results.table(out, "polygons.csv")}
+        self.assertLessEqual({"before", "triangle"}, measured)
+        self.assertFalse(any("report" in name for name in measured))
+
     def test_bad_usage_gets_one_clear_line(self):
         out = self.folder / "out"
         (self.folder / "empty").mkdir()
@@ -194,7 +207,7 @@ class Runs(Case):
                  '--shard: expected I/N, with I from 1 to N and N up to 100000, not "3/2"'),
                 ([self.folder / "nowhere", "--out", out], f"{self.folder}/nowhere: no such file or directory"),
                 ([self.folder / "empty", "--out", out],
-                 f"{self.folder}/empty: no polygon in this folder: no file name ends in .txt, .wkt, .json, .geojson, .svg or .dxf"),
+                 f"{self.folder}/empty: no polygon in this folder: no file name ends in .txt, .csv, .wkt, .json, .geojson, .svg or .dxf"),
                 ([self.inputs / "star.txt", self.folder / "other" / "star.txt", "--out", out],
                  f"{self.inputs}/star.txt: would have the same name, star, as {self.folder}/other/star.txt; "
                  "rename one, or give a folder that contains both"),
