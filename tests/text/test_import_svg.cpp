@@ -519,3 +519,15 @@ TEST_CASE("SVG: the size and place of shapes may be a style", "[import][svg]") {
           "<g stroke='red'><line x2='9' style='x2:4'/><line x2='9' y2='9'/><line x1='9' x2='9' y2='9'/></g>") ==
       "9x9 ");
 }
+
+TEST_CASE("SVG: the title of a group names its shapes, unless they have a label or title",
+          "[import][svg]") {
+  const Import import = read(
+      "<svg><g><title>lid</title><rect id='path12' width='4' height='4'/>"
+      "<rect id='path13' data-name='handle' x='10' width='3' height='3'/>"
+      "<g><rect x='20' width='2' height='2'><title>knob</title></rect></g></g>"
+      "<rect id='path14' x='30' width='1' height='1'/></svg>");
+  std::vector<std::string> names;
+  for (const ImportedShape& shape : import.shapes) names.push_back(shape.name);
+  CHECK(names == std::vector<std::string>{"lid", "handle", "knob", "path14"});
+}

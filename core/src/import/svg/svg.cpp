@@ -92,20 +92,32 @@ std::string_view label_of(const pugi::xml_node& node) {
   return {};
 }
 
-std::string_view own_name(const pugi::xml_node& node) {
-  if (const std::string_view label = label_of(node); !label.empty()) return label;
+std::string_view title_of(const pugi::xml_node& node) {
   int left = 8;  // the title is one of the first children
   for (pugi::xml_node child = node.first_child(); child && left > 0;
        child = child.next_sibling(), --left)
-    if (local_name(child) == "title" && *child.child_value() != 0) return child.child_value();
-  return value_of(node, "id");
+    if (local_name(child) == "title") return child.child_value();
+  return {};
 }
 
-// The name of the copy, else of the element, else of the layer.
+namespace {
+
+std::string_view first_of(std::initializer_list<std::string_view> names) {
+  for (const std::string_view name : names)
+    if (!name.empty()) return name;
+  return {};
+}
+
+}  // namespace
+
+std::string_view own_name(const pugi::xml_node& node) {
+  return first_of({label_of(node), title_of(node), value_of(node, "id")});
+}
+
+// A title that a person gave a group says more than an id.
 std::string SvgReader::called(const pugi::xml_node& node, const Context& context) const {
-  std::string_view name = context.name_of_copy;
-  if (name.empty()) name = own_name(node);
-  return std::string(name.empty() ? context.layer : name);
+  return std::string(first_of({context.name_of_copy, label_of(node), title_of(node), context.title,
+                               value_of(node, "id"), context.layer}));
 }
 
 std::optional<std::optional<double>> SvgReader::length(const pugi::xml_node& node,

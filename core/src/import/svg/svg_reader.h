@@ -270,6 +270,7 @@ class SvgReader {
     Affine matrix;
     std::string_view layer;         // the nearest group's label, else the name of the copying <use>
     std::string_view name_of_copy;  // the name of the <use> that copies this element
+    std::string_view title;         // of the nearest group that has one
     SvgViewport viewport;
     SvgLook look;
     SvgDeclared declared = {};  // for the element itself, if it is drawn
@@ -370,6 +371,7 @@ class SvgReader {
 
 // The label that a drawing program gave the element; may be empty.
 std::string_view label_of(const pugi::xml_node& node);
+std::string_view title_of(const pugi::xml_node& node);
 // The element's name for people: its label, title or id.
 std::string_view own_name(const pugi::xml_node& node);
 

@@ -280,6 +280,8 @@ std::optional<InputError> SvgReader::inside_of(const pugi::xml_node& node, std::
   if (!inside.name_of_copy.empty()) inside.layer = inside.name_of_copy;
   if (const std::string_view label = label_of(node); !label.empty()) inside.layer = label;
   inside.name_of_copy = {};
+  if (const std::string_view title = title_of(node); name == "g" && !title.empty())
+    inside.title = title;
   if (name == "switch") return chosen_child(node, inside, depth + 1);
   return children(node, inside, depth + 1);
 }
