@@ -531,3 +531,15 @@ TEST_CASE("SVG: the title of a group names its shapes, unless they have a label 
   for (const ImportedShape& shape : import.shapes) names.push_back(shape.name);
   CHECK(names == std::vector<std::string>{"lid", "handle", "knob", "path14"});
 }
+
+TEST_CASE("SVG: parts are named by the texts in them or beside them", "[import][svg]") {
+  const Import import = read(
+      "<svg><rect id='a' width='10' height='10'/><rect id='b' x='20' width='10' height='10'/>"
+      "<rect id='c' x='40' width='10' height='10'/><rect id='d' x='60' width='10' height='10'/>"
+      "<text x='2' y='5'>P1</text><text transform='translate(20 5)'><tspan x='3'>P</tspan>2</text>"
+      "<text x='41 45' y='13'>P3<tspan dy='1'>left</tspan></text><text x='200' y='5'>title</text></svg>");
+  std::vector<std::string> names;
+  for (const ImportedShape& shape : import.shapes) names.push_back(shape.name);
+  CHECK(names == std::vector<std::string>{"P1", "P2", "P3 left", "d"});
+  CHECK(import.notes == std::vector<std::string>{"1 text was left out"});
+}

@@ -33,9 +33,8 @@ struct ImportOptions {
 
 struct ImportedShape {
   Document document;
-  // As UTF-8 without control characters: of several parts of a DXF drawing, the text in the part or,
-  // if there is none, the nearest one beside it; otherwise the name of the object or its layer, or
-  // empty.
+  // As UTF-8 without control characters: of several parts of a drawing, the text in the part or, if
+  // there is none, the nearest one beside it; otherwise the name of the object or its layer, or empty.
   std::string name;
   std::string kind;  // in words, such as "rectangle"
   // The greatest distance of edges from the curves that they replace, also in holes; not set if

@@ -320,6 +320,7 @@ class SvgReader {
                                    Context& inside, int depth);
   bool enter(const pugi::xml_node& node, std::string_view name, Context& inside);
   bool transform(const pugi::xml_node& node, const SvgDeclared& declared, Context& inside);
+  void take_text(const pugi::xml_node& node, const SvgDeclared& declared, const Context& inside);
   bool leaves_out(const pugi::xml_node& node, std::string_view name, const Context& inside);
   void hide(const pugi::xml_node& node, const Context& context);
   bool has_room_to_copy(const pugi::xml_node& node);

@@ -203,6 +203,43 @@ bool SvgReader::leaves_out(const pugi::xml_node& node, std::string_view name,
   return false;
 }
 
+namespace {
+
+// The first number of an attribute that may list one for each letter.
+std::optional<double> first_number(const pugi::xml_node& node, const char* attribute) {
+  const std::string_view all = value_of(node, attribute);
+  std::string_view first = all.substr(0, all.find_first_of(" ,\t\r\n"));
+  if (first.ends_with("px")) first.remove_suffix(2);
+  return first.empty() ? std::nullopt : read_number(first);
+}
+
+}  // namespace
+
+// A text may name the part at its place. One whose place is not plain names none.
+void SvgReader::take_text(const pugi::xml_node& node, const SvgDeclared& declared,
+                          const Context& inside) {
+  std::optional<double> x = first_number(node, "x"), y = first_number(node, "y");
+  std::string words;
+  for (const pugi::xml_node child : node.children()) {
+    const bool is_span = local_name(child) == "tspan";
+    if (is_span && !x) x = first_number(child, "x");
+    if (is_span && !y) y = first_number(child, "y");
+    const bool is_new_line = is_span && (child.attribute("y") || child.attribute("dy"));
+    if (is_new_line && !words.empty()) words += ' ';
+    words += is_span ? child.child_value() : child.value();
+  }
+  const std::string_view moved = declared[SvgProperty::transform];
+  if (!x && !y && moved.empty()) return;
+  Affine map = inside.matrix;
+  if (!moved.empty()) {
+    const auto read = svg_transform(moved);
+    const Affine* const matrix = std::get_if<Affine>(&read);
+    if (!matrix) return;
+    map = map * *matrix;
+  }
+  gathering_.add_text(map({x.value_or(0), y.value_or(0)}), words, others[0].one);
+}
+
 bool SvgReader::transform(const pugi::xml_node& node, const SvgDeclared& declared,
                           Context& inside) {
   for (const Mover& mover : movers) {
@@ -247,6 +284,7 @@ bool SvgReader::enter(const pugi::xml_node& node, std::string_view name, Context
     return false;
   }
   inside.look = inherited(inside.look, declared);
+  if (name == "text" && inside.look.visible) take_text(node, declared, inside);
   if (leaves_out(node, name, inside) || !transform(node, declared, inside)) return false;
   if (!is_one_of(name, drawn)) return true;
   if (!inside.look.visible) {
