@@ -32,6 +32,9 @@ struct WeightByArea {
   // Sets the document's weight, unless its outline is invalid, which place() then says. Throws Failure
   // with the option's name if a value is invalid.
   void apply(Document& document) const;
+  // Says on standard error how a number without a unit was read, if the coordinates have a unit other
+  // than metres.
+  void explain(const Units& units) const;
 };
 
 // Of a table of all shapes.

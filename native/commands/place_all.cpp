@@ -162,6 +162,9 @@ void summarize(const Reported& of, PartResult& result) {
   if (result.robots == 0 || !of.placement.loads) return;
   for (const Quantity* column : columns()) result.columns.push_back(column->value(of));
   if (of.report.has_capacities) result.overloaded = of.report.overloaded.size();
+  // The reason that the row gives should say that no other number would do.
+  if (of.report.plan && !of.report.plan->possible && !of.report.overloaded.empty())
+    result.problem += " " + needs_in_words(of);
 }
 
 PartResult result_of(const Part& part, const ImportedShape& shape, const PlaceOptions& options,
@@ -327,6 +330,7 @@ void place_all(const PlaceOptions& options) {
   const unsigned jobs = jobs_option(options.table.jobs);
   InputShapes input = options.input.read_all();
   std::vector<ImportedShape>& shapes = input.shapes;
+  options.weight.explain(shapes.front().document.shown.units);
   for (ImportedShape& shape : shapes) {
     options.weight.apply(shape.document);
     asked_by(options.robustness, shape.document.shown);  // refuses options that do not fit

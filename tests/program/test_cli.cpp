@@ -509,6 +509,24 @@ TEST_CASE("parts of a sheet have their own weights, numbers of robots and names"
     CHECK(std::stod(cells[9]) <= 0.25 * (1 + 1e-9));
   }
   CHECK(names.size() == 200);
+  SECTION("also with the density's unit of weight, but a bare one is of the drawing's unit") {
+    const auto output = [&](const std::string& density) {
+      return run(folder,
+                 "evenlift place" + sheet + "--thickness 8 --capacity 0.25 --density " + density);
+    };
+    CHECK(output("'7850 kg/m³'").output == table.output);
+    CHECK(output("'7850kg/m3'").errors == table.errors);
+    const std::string bare = output("7.85e-6").errors;
+    CHECK(bare.find("evenlift: --density: was read as 7.85e-6/mm3, in the unit of the coordinates; "
+                    "7.85e-6/m3 is another weight\n") != std::string::npos);
+  }
+  SECTION("and the row says if no number of robots is enough") {
+    run(folder, "evenlift place" + sheet +
+                    "--thickness 8 --density 7850/m3 --capacity "
+                    "0.02 --csv few.csv");
+    CHECK(corpus::read_file(folder.path() / "few.csv").find("can be placed are too few.") !=
+          std::string::npos);
+  }
   SECTION("and the same bytes for any number of threads") {
     const std::string one = run(folder, "evenlift place" + steel + " --json --jobs 1").output;
     CHECK(std::count(one.begin(), one.end(), '\n') == 200);
