@@ -60,7 +60,7 @@ class Waiting(unittest.TestCase):
         shape = self.shape("comb")
         points = [line.strip("()") for line in pathlib.Path(shape).read_text().splitlines() if line.startswith("(")]
         pathlib.Path(shape).write_text("\n".join([*points, "", "0,0", "1,0", "0,1", ""]))
-        output, seen = run_on_terminal("place", shape, "--shape", "all", "--metric", "balanced", "--robots", "4")
+        output, seen = run_on_terminal("place", shape, "--shape", "all", "--jobs", "1", "--metric", "balanced", "--robots", "4")
         self.assertIn(b"\r\x1b[Kplacing the robots, shape 1 of 2: ", seen)
 
     def test_a_terminal_sees_how_long_choices_are_being_compared(self):
