@@ -237,10 +237,10 @@ class Runs(Case):
         (self.inputs / "a.wkt").write_text("POLYGON ((0 0, 4 0, 4 3, 0 0))\n")
         (self.inputs / "b.geojson").write_text('{"type": "Polygon", "coordinates": [[[0,0],[4,0],[4,3],[0,0]]]}\n')
         (self.inputs / "c.svg").write_text('<svg><rect width="4" height="3"/></svg>\n')
-        (self.inputs / "table.csv").write_text("not looked at, since results are .csv\n")
+        (self.inputs / "table.csv").write_text("x;y\n0;0\n4;0\n4;3\n")
         self.experiment("out")
         names = [row["polygon"] for row in results.table(self.folder / "out", "polygons.csv")]
-        self.assertEqual(names, sorted([name for name in SOME if name != "star"] + ["a", "b", "c", 'deep, "er"/2/star']))
+        self.assertEqual(names, sorted([name for name in SOME if name != "star"] + ["a", "b", "c", 'deep, "er"/2/star', "table"]))
 
     def test_all_shapes_of_a_file_are_measured_under_its_name_and_their_numbers(self):
         shapes = [[(0, 0), (40, 0), (40, 20), (0, 20)], [(90, 0), (94, 4), (94, 0), (90, 3)], [(100, 0), (109, 0), (100, 9)]]
