@@ -330,11 +330,11 @@ void place_all(const PlaceOptions& options) {
   const unsigned jobs = jobs_option(options.table.jobs);
   InputShapes input = options.input.read_all();
   std::vector<ImportedShape>& shapes = input.shapes;
-  options.weight.explain(shapes.front().document.shown.units);
   for (ImportedShape& shape : shapes) {
     options.weight.apply(shape.document);
     asked_by(options.robustness, shape.document.shown);  // refuses options that do not fit
   }
+  options.weight.explain(shapes.front().document.shown.units);
   const std::vector<Part> parts = parts_of(shapes);
   std::vector<PartResult> results(shapes.size());
   Rows rows{shapes, parts, results, std::vector<std::size_t>(shapes.size())};

@@ -520,6 +520,16 @@ TEST_CASE("SVG: the size and place of shapes may be a style", "[import][svg]") {
       "9x9 ");
 }
 
+namespace {
+
+std::vector<std::string> names_in(const Import& import) {
+  std::vector<std::string> names;
+  for (const ImportedShape& shape : import.shapes) names.push_back(shape.name);
+  return names;
+}
+
+}  // namespace
+
 TEST_CASE("SVG: the title of a group names its shapes, unless they have a label or title",
           "[import][svg]") {
   const Import import = read(
@@ -527,9 +537,7 @@ TEST_CASE("SVG: the title of a group names its shapes, unless they have a label 
       "<rect id='path13' data-name='handle' x='10' width='3' height='3'/>"
       "<g><rect x='20' width='2' height='2'><title>knob</title></rect></g></g>"
       "<rect id='path14' x='30' width='1' height='1'/></svg>");
-  std::vector<std::string> names;
-  for (const ImportedShape& shape : import.shapes) names.push_back(shape.name);
-  CHECK(names == std::vector<std::string>{"lid", "handle", "knob", "path14"});
+  CHECK(names_in(import) == std::vector<std::string>{"lid", "handle", "knob", "path14"});
 }
 
 TEST_CASE("SVG: parts are named by the texts in them or beside them", "[import][svg]") {
@@ -538,8 +546,6 @@ TEST_CASE("SVG: parts are named by the texts in them or beside them", "[import][
       "<rect id='c' x='40' width='10' height='10'/><rect id='d' x='60' width='10' height='10'/>"
       "<text x='2' y='5'>P1</text><text transform='translate(20 5)'><tspan x='3'>P</tspan>2</text>"
       "<text x='41 45' y='13'>P3<tspan dy='1'>left</tspan></text><text x='200' y='5'>title</text></svg>");
-  std::vector<std::string> names;
-  for (const ImportedShape& shape : import.shapes) names.push_back(shape.name);
-  CHECK(names == std::vector<std::string>{"P1", "P2", "P3 left", "d"});
+  CHECK(names_in(import) == std::vector<std::string>{"P1", "P2", "P3 left", "d"});
   CHECK(import.notes == std::vector<std::string>{"1 text was left out"});
 }
