@@ -15,7 +15,7 @@ set(libraries evenlift_core evenlift_output evenlift_optimum evenlift_experiment
 # If pugixml is not a library of the system, ours is installed with it, under a unique name.
 set(pugixml_is_elsewhere OFF)
 if(EVENLIFT_IMPORT)
-  list(APPEND libraries evenlift_import evenlift_request)
+  list(APPEND libraries evenlift_import evenlift_parts evenlift_request)
   get_target_property(pugixml_is_elsewhere pugixml::pugixml IMPORTED)
   if(NOT pugixml_is_elsewhere)
     list(APPEND libraries pugixml)

@@ -18,7 +18,7 @@ root = pathlib.Path(__file__).resolve().parents[1]
 made_by = "docs/write_types.py writes this file from `evenlift --schema`."
 
 # Of requests. Their lists may be any sequences, and their numbers any numbers.
-arguments = {"Point", "Support", "Cargo", "Settings", "PolygonOptions", "Options", "PlaceOptions", "SvgOptions", "PosesOptions", "ShapesOptions", "ExperimentOptions"}  # fmt: skip
+arguments = {"Point", "Support", "Cargo", "Settings", "PolygonOptions", "Options", "WeightOptions", "PlaceOptions", "PartsOptions", "SvgOptions", "PosesOptions", "ShapesOptions", "ExperimentOptions"}  # fmt: skip
 not_typed = {"Request", "Error"}  # the packages' functions and errors have types of their own
 
 

@@ -100,6 +100,7 @@ export function createApi(compiled) {
     optimum: asked("optimum"),
     trace: (...args) => asked("trace")(...args).steps,
     shapes: (file, options) => ask({ ...options, command: "shapes", ...textOf(file) }),
+    parts: (file, options) => ask({ ...options, command: "parts", ...textOf(file) }),
     experiment: (polygons, settings) => ask({ command: "experiment", polygons, settings }),
     version: ask({ command: "version" }).version,
   };

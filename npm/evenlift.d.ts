@@ -177,8 +177,18 @@ export interface PolygonOptions {
 export interface Options extends Settings, PolygonOptions {
 }
 
+/** The weight from the area. */
+export interface WeightOptions {
+  /** The weight from the area, in place of `weight`: of each square unit, or such as `15.6/m2`. */
+  weight_per_area?: number | string | null;
+  /** The weight from the area, this thickness and `density`. */
+  thickness?: number | string | null;
+  /** Of each cubic unit, or such as `7850/m3`. */
+  density?: number | string | null;
+}
+
 /** What a placement may be asked. */
-export interface PlaceOptions extends Settings, PolygonOptions {
+export interface PlaceOptions extends Settings, PolygonOptions, WeightOptions {
   /** Lists the candidates. */
   candidates?: boolean | null;
   /** The effect of each robot's failure. */
@@ -187,6 +197,12 @@ export interface PlaceOptions extends Settings, PolygonOptions {
   even_out?: boolean | null;
   /** Conditions, such as `held, max<=20`. */
   require?: string;
+}
+
+/** What all parts may be asked. */
+export interface PartsOptions extends PlaceOptions {
+  /** The order of the parts, default `file`. */
+  sort?: "file" | "number" | "name" | "area" | "weight" | "load";
 }
 
 /** What a picture may be asked. */
@@ -709,6 +725,40 @@ export interface Shapes {
   shapes: ImportedShape[];
 }
 
+/** A part of a drawing. */
+export interface Part {
+  /** Its number in the file, from 1. */
+  shape: number;
+  /** Unique, or empty. */
+  name: string;
+  /** The middle of its bounding box. */
+  at: Position;
+  /** The width and height of that box. */
+  size: Position;
+  /** Without holes. */
+  area: number;
+}
+
+/** A part with its robots. */
+export interface PlacedPart extends Part, Placement {
+}
+
+/** A part that is refused. */
+export interface RefusedPart extends Part {
+  /** In place of a placement. */
+  error: Problem;
+}
+
+/** All parts of a drawing. */
+export interface Parts {
+  /** Omissions and decisions. */
+  notices: string[];
+  /** The lines of `evenlift place --shape all --json`. */
+  parts: (PlacedPart | RefusedPart)[];
+  /** The rows of `--csv`. */
+  csv: string;
+}
+
 export interface FigureSeries {
   method: Metric;
   /** Robots, value, polygons. */
@@ -793,6 +843,17 @@ export interface Place {
   character?: number;
 }
 
+/** Why a part is refused. */
+export interface Problem {
+  /** One word for programs. */
+  code: string;
+  /** The sentence that the program prints. */
+  message: string;
+  place: Place | null;
+  /** Of the member at fault, counted from 0: `cargo[2].weight`, `polygon[3]`. */
+  path: string | null;
+}
+
 /** Vertices; the text or bytes of a file of any format that the program reads, or a share link; or a result or document of evenlift.
  * A link and a document set the defaults of the settings. */
 export type Polygon = readonly Point[] | string | Uint8Array | Placement | Record<string, unknown>;
@@ -836,6 +897,9 @@ export function trace(polygon: Polygon, options?: Options | null): Step[];
 
 /** All shapes of a file: a drawing, a table, or any other format that the program reads. */
 export function shapes(file: string | Uint8Array, options?: ShapesOptions | null): Shapes;
+
+/** Robots for each shape of a file, which may have a weight by its area and, with a capacity, its own number of robots. */
+export function parts(file: string | Uint8Array, options?: PartsOptions | null): Parts;
 
 /** The measurements of the thesis's chapter 5, over many polygons. */
 export function experiment(

@@ -42,6 +42,9 @@ export function trace(polygon: Polygon, options?: Options | null): Step[];
 /** All shapes of a file: a drawing, a table, or any other format that the program reads. */
 export function shapes(file: string | Uint8Array, options?: ShapesOptions | null): Shapes;
 
+/** Robots for each shape of a file, which may have a weight by its area and, with a capacity, its own number of robots. */
+export function parts(file: string | Uint8Array, options?: PartsOptions | null): Parts;
+
 /** The measurements of the thesis's chapter 5, over many polygons. */
 export function experiment(
   polygons: readonly {

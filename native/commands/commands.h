@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "evenlift/output/requirements.h"
+#include "evenlift/parts.h"
 #include "input/options.h"
 #include "print/table.h"
 
@@ -22,20 +23,6 @@ void cmd_trace(const Arguments& arguments);
 void cmd_optimum(const Arguments& arguments);
 void cmd_check(const Arguments& arguments);
 void cmd_experiment(const Arguments& arguments);
-
-// The weight of a part from its area: by a weight for each unit of area, or by thickness and density.
-struct WeightByArea {
-  std::optional<std::string> per_area, thickness, density;
-
-  void declare(CommandLine& line);
-  bool typed() const { return per_area || thickness || density; }
-  // Sets the document's weight, unless its outline is invalid, which place() then says. Throws Failure
-  // with the option's name if a value is invalid.
-  void apply(Document& document) const;
-  // Says on standard error how a number without a unit was read, if the coordinates have a unit other
-  // than metres.
-  void explain(const Units& units) const;
-};
 
 // Of a table of all shapes.
 struct TableOptions {
@@ -56,6 +43,11 @@ struct PlaceOptions {
   PoseFileOptions poses;
 
   void declare(CommandLine& line);
+
+  // Sets the document's weight if it follows from its area, and says on standard error how a number
+  // without a unit was read. Throws Failure with the option's name if a value is invalid.
+  void apply_weight(Document& document) const;
+  void explain_weight(const Units& units) const;
 
   // Returns the conditions of --require. Throws Failure if they are invalid.
   std::vector<Condition> conditions() const;

@@ -247,10 +247,8 @@ void cmd_place(const Arguments& arguments) {
                                        : "--jobs",
                   "applies only to --shape all"};
   Input input = options.input.read();
-  if (options.weight.typed() && options.input.settings.typed(Setting::weight))
-    throw Failure{bad_input_status, "--weight", "applies without a weight by area"};
-  options.weight.apply(input.document);
-  options.weight.explain(input.document.shown.units);
+  options.apply_weight(input.document);
+  options.explain_weight(input.document.shown.units);
   const std::vector<Condition> conditions = options.conditions();
   const std::optional<PosesAsked> pose_file = options.poses.asked();
   check_outputs(options, pose_file);

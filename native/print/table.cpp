@@ -12,15 +12,6 @@
 
 namespace evenlift::native {
 
-std::string csv_cell(std::string text) {
-  if (!text.empty() && std::string_view("=+-@").find(text[0]) != std::string_view::npos)
-    text.insert(0, "'");
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string table(const std::vector<Row>& rows, const std::vector<std::string>& remarks) {
   std::vector<std::size_t> widths(rows.front().size());
   for (const Row& row : rows)

@@ -17,9 +17,6 @@ using Row = std::vector<std::string>;
 // index of a row, if any, follows the last cell of that row.
 std::string table(const std::vector<Row>& rows, const std::vector<std::string>& remarks = {});
 
-// A text as a cell in CSV (RFC 4180). An apostrophe keeps a spreadsheet from computing it.
-std::string csv_cell(std::string text);
-
 // --- The loads, failures and C uncertainty in the output of `place`.
 
 struct RobustnessOptions {

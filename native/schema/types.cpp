@@ -54,6 +54,14 @@ constexpr TypeMember place_options[] = {
     {"even_out?", "boolean | null",
      "moves two or three supports to the edge so that all carry the same load"},
     {"require?", "string", "[conditions](cli.md#conditions), such as `held, max<=20`"}};
+constexpr TypeMember weight_options[] = {
+    {"weight_per_area?", "number | string | null",
+     "the weight from the area, in place of `weight`: of each square unit, or such as `15.6/m2`"},
+    {"thickness?", "number | string | null", "the weight from the area, this thickness and `density`"},
+    {"density?", "number | string | null", "of each cubic unit, or such as `7850/m3`"}};
+constexpr TypeMember parts_options[] = {
+    {"sort?", R"("file" | "number" | "name" | "area" | "weight" | "load")",
+     "the order of the parts, default `file`"}};
 constexpr TypeMember svg_options[] = {{"candidates?", "boolean | null", "shows the candidates"}};
 constexpr TypeMember poses_options[] = {
     {"format?", R"("csv" | "json" | "yaml")", "default `json`; `yaml` is a PoseArray of ROS 2"},
@@ -88,6 +96,8 @@ constexpr TypeMember request[] = {
     {"frame?", "string", ""},
     {"origin?", R"("file" | "com")", ""}};
 constexpr std::string_view of_polygon[] = {"Settings", "PolygonOptions"};
+constexpr std::string_view of_placement[] = {"Settings", "PolygonOptions", "WeightOptions"};
+constexpr std::string_view of_parts[] = {"PlaceOptions"};
 
 // --- Placements
 
@@ -414,6 +424,19 @@ constexpr TypeMember shapes[] = {
     {"notices", "string[]", "omissions and decisions"},
     {"shapes", "ImportedShape[]", "one or more; in a drawing the largest first, and sheets last"}};
 
+constexpr TypeMember part[] = {
+    {"shape", "integer", "its number in the file, from 1"},
+    {"name", "string", "unique, or empty"},
+    {"at", "Position", "the middle of its bounding box"},
+    {"size", "Position", "the width and height of that box"},
+    {"area", "number", "without holes"}};
+constexpr TypeMember refused_part[] = {{"error", "Problem", "in place of a placement"}};
+constexpr std::string_view of_part[] = {"Part"}, of_placed_part[] = {"Part", "Placement"};
+constexpr TypeMember parts[] = {
+    {"notices", "string[]", "omissions and decisions"},
+    {"parts", "(PlacedPart | RefusedPart)[]", "the lines of `evenlift place --shape all --json`"},
+    {"csv", "string", "the rows of `--csv`"}};
+
 constexpr TypeMember figure_series[] = {{"method", "Metric", ""},
                                         {"points", "number[3][]", "robots, value, polygons"}};
 constexpr TypeMember figure[] = {{"set", "string", ""},           {"id", "string", ""},
@@ -468,12 +491,14 @@ constexpr Type types[] = {
     {"Overlays", "What a picture shows.", overlays},
     {"PolygonOptions", "What a request may say of its polygon.", polygon_options, {}, {}, true},
     {"Options", "Settings, and what a request may say of its polygon.", {}, {}, of_polygon},
-    {"PlaceOptions", "What a placement may be asked.", place_options, {}, of_polygon},
+    {"WeightOptions", "The weight from the area.", weight_options, {}, {}, true},
+    {"PlaceOptions", "What a placement may be asked.", place_options, {}, of_placement},
+    {"PartsOptions", "What all parts may be asked.", parts_options, {}, of_parts},
     {"SvgOptions", "What a picture may be asked.", svg_options, {}, of_polygon},
     {"PosesOptions", "How robots' poses are written.", poses_options, {}, of_polygon},
     {"ShapesOptions", "How a file is read.", shapes_options},
     {"ExperimentOptions", "What an experiment measures.", experiment_options},
-    {"Request", "A request about one polygon.", request, {}, of_polygon},
+    {"Request", "A request about one polygon.", request, {}, of_placement},
     {"Candidate", "A chord on which a team may stand.", candidate},
     {"Team", "A team of robots.", team},
     {"Robot", "A robot.", robot},
@@ -512,6 +537,10 @@ constexpr Type types[] = {
     {"Optimum", "How far the greedy choice of teams is from the best one.", optimum},
     {"ImportedShape", "A shape of a drawing or table.", imported},
     {"Shapes", "The shapes of a file.", shapes},
+    {"Part", "A part of a drawing.", part, {}, {}, true},
+    {"PlacedPart", "A part with its robots.", {}, {}, of_placed_part},
+    {"RefusedPart", "A part that is refused.", refused_part, {}, of_part},
+    {"Parts", "All parts of a drawing.", parts},
     {"FigureSeries", "", figure_series},
     {"Figure", "A figure of the thesis's chapter 5.", figure},
     {"Claim", "A statement of the thesis.", claim},
@@ -521,6 +550,7 @@ constexpr Type types[] = {
     {"Refused", "", refused},
     {"Experiment", "The measurements of the thesis's chapter 5.", experiment},
     {"Place", "The place of an error, of one of these kinds.", place},
+    {"Problem", "Why a part is refused.", error},
     {"Error", "A request that is refused.", error}};
 
 }  // namespace

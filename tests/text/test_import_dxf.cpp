@@ -608,3 +608,41 @@ TEST_CASE("DXF: parts are named by the texts in them, else by the nearest beside
   const auto notes = read(drawing(three + text(1, 1, "P1") + text(200, 0, "far"))).notes;
   CHECK(std::find(notes.begin(), notes.end(), "1 text was left out") != notes.end());
 }
+
+TEST_CASE("DXF: parts without a text are named by their blocks, unless all are in one copy of one",
+          "[import][dxf]") {
+  const auto names = [](const std::string& entities, const std::string& blocks) {
+    std::vector<std::string> all;
+    for (const ImportedShape& shape : read(drawing(entities, blocks)).shapes)
+      all.push_back(shape.name);
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  using Names = std::vector<std::string>;
+  const auto side = [](const Vec2& from, const Vec2& to) {
+    return lines({{0, "LINE"}, {8, "CUT"}, {10, from.x}, {20, from.y}, {11, to.x}, {21, to.y}});
+  };
+  const std::string drawn = side({0, 0}, {2, 0}) + side({2, 0}, {0, 2}) + side({0, 2}, {0, 0});
+  const std::string blocks =
+      block("bracket", polyline(square, "CUT")) + block("gusset", drawn) +
+      block("both", insert("bracket") + insert("gusset", {{10, 20}})) +
+      block("*U7", polyline(square, "CUT")) +
+      block("A3-Rahmen", polyline({{-9, -9}, {90, -9}, {90, 60}, {-9, 60}}, "CUT"));
+  CHECK(names(insert("bracket") + insert("bracket", {{10, 9}}) + insert("gusset", {{10, 20}}),
+              blocks) == Names{"bracket", "bracket", "gusset"});
+  CHECK(names(insert("bracket", {{70, 2}, {44, 9}}), blocks) == Names{"bracket", "bracket"});
+  CHECK(names(insert("both") + insert("both", {{20, 20}}), blocks) ==
+        Names{"bracket", "bracket", "gusset", "gusset"});
+  CHECK(names(insert("*U7") + insert("bracket", {{10, 20}}), blocks) == Names{"CUT", "bracket"});
+  // A text is nearer to what people call a part.
+  CHECK(names(insert("bracket") + insert("gusset", {{10, 20}}) +
+                  lines({{0, "TEXT"}, {10, 2}, {20, 1.5}, {1, "P1"}}),
+              blocks) == Names{"P1", "gusset"});
+  // The block that is the whole drawing names nothing, and that of a border tells the sheet.
+  CHECK(names(insert("all"), block("all", polyline(square, "CUT") +
+                                              polyline({{9, 9}, {12, 9}, {12, 12}}, "LID"))) ==
+        Names{"CUT", "LID"});
+  const Import framed = read(drawing(insert("A3-Rahmen") + insert("bracket"), blocks));
+  REQUIRE(framed.shapes.size() == 2);
+  CHECK(framed.shapes[1].sheet);
+}

@@ -367,3 +367,57 @@ TEST_CASE("what words say is data", "[request]") {
   CHECK(over["effective"]["snap"].number() == Approx(5e-4));
   CHECK(over["version"] == answer_json(R"({"command": "version"})")["version"]);
 }
+
+TEST_CASE("parts are all shapes of a file, each with robots of its own", "[request]") {
+  const std::string file =
+      R"("text": "small\n0,0\n4,0\n4,3\n0,3\n\nlarge\n10,0\n18,0\n18,6\n10,6\n\nbow\n0,0\n4,4\n4,0\n0,4\n")";
+  const auto parts = [&](const std::string& more) {
+    return answer_json(R"({"command": "parts", )" + file + more + "}");
+  };
+  const Json all = parts(R"(, "weight_per_area": 2, "capacity": 20)");
+  CHECK(all.names() == std::vector<std::string>{"notices", "parts", "csv"});
+  REQUIRE(all["parts"].size() == 3);
+  const Json &small = all["parts"][0], &large = all["parts"][1], &bow = all["parts"][2];
+  CHECK(small["name"] == "small");
+  CHECK(small["at"] == std::vector<double>{2, 1.5});
+  CHECK(small["weight"] == 24);
+  CHECK(small["robots"].size() == 4);
+  CHECK(large["area"] == 48);
+  CHECK(large["loads"]["max"].number() <= 20);
+  CHECK(bow["error"]["code"] == "not_simple");
+  CHECK(all["csv"].text().starts_with("shape,name,x,y,"));
+
+  SECTION("in the order that is asked for") {
+    const Json sorted = parts(R"(, "weight_per_area": 2, "sort": "weight", "require": "max<=9")");
+    CHECK(sorted["parts"][0]["name"] == "large");
+    CHECK(sorted["parts"][0]["requirements"][0]["kept"] == false);
+    CHECK(sorted["csv"].text().find(",kept,") != std::string::npos);
+  }
+  SECTION("and a number of robots that is asked for stays") {
+    for (const char* teams : {R"(, "teams": 3)", R"(, "settings": {"teams": 3})"})
+      CHECK(parts(R"(, "weight": 4, "capacity": 20)" + std::string(teams))["parts"][0]["robots"]
+                .size() == 6);
+  }
+  SECTION("and a weight by area is also for a single polygon, whose unit may differ") {
+    CHECK(answer_json(with(R"("weight_per_area": "3/m2", "unit": "cm")"))["weight"].number() ==
+          Approx(3e-4 * 8.25));
+    CHECK(parts(R"(, "weight_per_area": 3, "unit": "cm")")["notices"].texts().back() ==
+          "weight_per_area: was read as 3/cm2, in the unit of the coordinates; 3/m2 is another weight");
+  }
+  SECTION("and what is wrong is said once, with its path") {
+    const auto refused = [&](const std::string& members) {
+      const Json error = refusal(R"({"command": "parts", )" + members + "}");
+      return error["path"].text() + ": " + error["message"].text();
+    };
+    CHECK(refused(file + R"(, "weight_per_area": "heavy")") ==
+          "weight_per_area: weight_per_area: must be a number above 0, perhaps with its unit, such as "
+          "15.6/m2, not \"heavy\"");
+    CHECK(refused(file + R"(, "thickness": 8)") == "thickness: thickness: needs a density as well");
+    CHECK(refused(file + R"(, "density": 8, "settings": {"weight": 5})") ==
+          "density: density: a weight by area applies without a weight");
+    CHECK(refused(file + R"(, "sort": "size")") ==
+          "sort: sort: expected file, number, name, area, weight or load");
+    CHECK(refused(R"("shape": 2, )" + file).starts_with("shape: shape: this is of a single polygon"));
+    CHECK(refused(l_shape).starts_with("polygon: "));
+  }
+}

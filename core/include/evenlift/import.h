@@ -34,7 +34,8 @@ struct ImportOptions {
 struct ImportedShape {
   Document document;
   // As UTF-8 without control characters: of several parts of a drawing, the text in the part or, if
-  // there is none, the nearest one beside it; otherwise the name of the object or its layer, or empty.
+  // there is none, the nearest one beside it; otherwise the name of the object, its block (unless all
+  // parts are in one copy of it) or its layer, or empty.
   std::string name;
   std::string kind;  // in words, such as "rectangle"
   // The greatest distance of edges from the curves that they replace, also in holes; not set if
@@ -138,7 +139,7 @@ struct Import {
 // in a hole. Outlines that touch or cross are separate shapes.
 //
 // A rectangle that encloses all else in a drawing is its sheet, not a part, if it is painted white
-// without a stroke; if its layer or name is one such as frame, border, title block or Rahmen, and
+// without a stroke; if its layer, block or name is one such as frame, border, title block or Rahmen, and
 // other outlines have another; if it is as large as the SVG's view box, with more than holes in it; or if several outlines lie in it, one of
 // them with a hole of its own. What lies on the sheet is then read as if the sheet were not there, and
 // the sheet comes last. Lines that lie directly on it are also its holes, unless it is filled and told by its paint or name.

@@ -124,6 +124,7 @@ class DxfReader {
     const DxfBlock* block = nullptr;  // nullptr for the drawing
     const Frame* outer = nullptr;     // contains the INSERT
     std::size_t depth = 0;
+    std::size_t copy = 0;  // of the innermost block with a name of its own
   };
 
   void take_all(std::size_t offset, const Frame& frame);
@@ -135,7 +136,7 @@ class DxfReader {
   void check_depth(const DxfBlock& block, const DxfEntity& entity, const Frame& frame);
   const DxfName* hidden(DxfEntity& entity, std::string_view layer) const;
   void leave_out(const DxfName& name) { gathering_.left_out.add(name.one, name.many); }
-  void add_part(Outline part, std::string_view layer);
+  void add_part(Outline part, std::string_view layer, const Frame& frame);
   InputError nothing_found() const;
   bool stopped() const { return error_ || gathering_.full(); }
   void stop(InputError error) {
@@ -154,12 +155,12 @@ class DxfReader {
   std::optional<InputError> error_;  // ends the reading
 };
 
-void DxfReader::add_part(Outline part, std::string_view layer) {
+void DxfReader::add_part(Outline part, std::string_view layer, const Frame& frame) {
   if (part.pieces.empty()) return;
   if (++part_count_ > max_vertices && !error_)
     error_ = InputError{
         ErrorCode::too_many_vertices, "the DXF drawing has more than 1048576 lines and arcs", {}};
-  pieces_.push_back({std::move(part), std::string(layer)});
+  pieces_.push_back({std::move(part), std::string(layer), false, frame.copy});
 }
 
 // Why an object is not seen; nullptr if it is. Programs do not plot the layer Defpoints, where they
@@ -192,11 +193,12 @@ void DxfReader::take_drawn(DxfEntity& entity, std::string_view layer, const Fram
       [](const DxfVertex& a, const DxfVertex& b) { return a.height < b.height; });
   if (low != high && high->height - low->height > same_point * larger_side(control_box(outline)))
     ++not_level_;
-  if (drawn.closed_kind) return gathering_.add({{outline}, name, drawn.closed_kind});
+  if (drawn.closed_kind)
+    return gathering_.add({{outline}, name, drawn.closed_kind, Fill::none, false, frame.copy});
   if (!within_bounds(outline))
     return gathering_.add_problem(
         {ErrorCode::bad_coordinate, "a coordinate is beyond 1,000,000,000", {}});
-  add_part(std::move(outline), name);
+  add_part(std::move(outline), name, frame);
 }
 
 const DxfName* DxfReader::reason_to_leave_out(const DxfInsert& insert,
@@ -228,12 +230,16 @@ void DxfReader::insert(DxfEntity& entity, std::string_view layer, const Frame& f
   const DxfBlock* block = drawing_.block(insert.block);
   if (const DxfName* reason = reason_to_leave_out(insert, block)) return leave_out(*reason);
   check_depth(*block, entity, frame);
+  std::optional<std::size_t> named;
+  if (!block->name.starts_with('*'))  // programs make up these names
+    named = gathering_.add_block(with_letters(block->name));
   for (double row = 0; row < insert.rows; ++row)
     for (double column = 0; column < insert.columns; ++column) {
       count_inserted(copy_bytes);
       if (stopped()) return;
       const Affine map = frame.map * insert.copy(column, row, block->base);
-      take_all(block->offset, {map, layer, block, &frame, frame.depth + 1});
+      const std::size_t copy = named ? gathering_.add_copy(*named) : frame.copy;
+      take_all(block->offset, {map, layer, block, &frame, frame.depth + 1, copy});
     }
 }
 

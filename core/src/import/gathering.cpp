@@ -300,7 +300,7 @@ void Gathering::add_filled(const DrawnShape& drawn, std::vector<Flattened> rings
     Flattened& outline = rings[filled.outline];
     for (const std::size_t hole : filled.holes) take_hole(outline.shape, rings[hole].shape);
     import.shapes.push_back(std::move(outline.shape));
-    drawn_.push_back({true, drawn.white, paths_, outline.part});
+    drawn_.push_back({true, drawn.white, paths_, outline.part, drawn.copy});
   }
 }
 
@@ -317,7 +317,7 @@ void Gathering::add(const DrawnShape& drawn) {
   if (drawn.fill != Fill::none) return add_filled(drawn, std::move(rings));
   for (Flattened& ring : rings) {
     import.shapes.push_back(std::move(ring.shape));
-    drawn_.push_back({false, false, paths_, ring.part});
+    drawn_.push_back({false, false, paths_, ring.part, drawn.copy});
   }
 }
 
@@ -360,7 +360,10 @@ void Gathering::add_joined(const std::vector<DrawnPiece>& pieces, bool closes_al
     add({{joined.outline},
          joined.layer,
          joined.parts == 1 ? "closed line"
-                           : say("{parts} lines and arcs, joined", {joined.parts})});
+                           : say("{parts} lines and arcs, joined", {joined.parts}),
+         Fill::none,
+         false,
+         joined.copy});
   if (closes_alone) {
     // An open line without a fill encloses nothing, unless the drawing has nothing else.
     const bool has_closed = !import.shapes.empty() || !drawn_.empty() ||
@@ -418,6 +421,30 @@ void Gathering::note_joining(const Joining& joining) {
                      : "{count} lines and arcs do not close and were left out",
            {open}) +
        (gap_.empty() ? "" : ": " + gap_));
+}
+
+std::size_t Gathering::add_block(const std::string& name) {
+  const auto [at, is_new] = numbers_of_blocks_.emplace(name, blocks_.size());
+  if (is_new) blocks_.push_back(clean_name(name));
+  return at->second;
+}
+
+std::size_t Gathering::add_copy(std::size_t block) {
+  copies_.push_back(block);
+  return copies_.size();
+}
+
+void Gathering::name_by_blocks(const Nesting& nesting) {
+  const auto copy_of = [&](const OutlineWithHoles& part) { return drawn_[part.outline].copy; };
+  const auto first = nesting.shapes.begin(),
+             end = nesting.shapes.end() - static_cast<std::ptrdiff_t>(nesting.sheets);
+  if (std::all_of(first, end, [&](const OutlineWithHoles& part) {
+        return copy_of(part) == copy_of(*first);
+      }))
+    return;
+  for (auto part = first; part != end; ++part)
+    if (const std::size_t copy = copy_of(*part); copy > 0)
+      import.shapes[part->outline].name = block_of(copy);
 }
 
 void Gathering::name_parts(const std::vector<OutlineWithHoles>& shapes) {
@@ -508,11 +535,15 @@ void Gathering::nest_outlines() {
   for (std::size_t i = 0; i < import.shapes.size(); ++i) {
     const ImportedShape& shape = import.shapes[i];
     const Document& document = shape.document;
+    const std::size_t copy = drawn_[i].copy;
+    const bool is_named = (names_differ && names_sheet(shape.name)) ||
+                          (copy > 0 && names_sheet(block_of(copy)));
     outlines.push_back({&document.vertices, &document.holes, drawn_[i].filled,
-                        drawn_[i].white || (names_differ && names_sheet(shape.name)),
+                        drawn_[i].white || is_named,
                         is_of_size(document.vertices, paper)});
   }
   const Nesting nesting = nest(outlines);
+  name_by_blocks(nesting);
   name_parts(nesting.shapes);
   // Holes of sheets are shapes, too.
   std::vector<ImportedShape> sheets;

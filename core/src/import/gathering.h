@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -57,7 +58,8 @@ struct DrawnShape {
   std::string_view name;
   std::string kind;
   Fill fill = Fill::none;
-  bool white = false;  // filled with white, without a stroke
+  bool white = false;    // filled with white, without a stroke
+  std::size_t copy = 0;  // of Gathering::add_copy()
 };
 
 class Gathering {
@@ -85,6 +87,11 @@ class Gathering {
   void add_problem(InputError error);
   // A text of a drawing, which was counted in left_out as `kind`: it may name the part at its place.
   void add_text(const Vec2& at, std::string_view words, std::string_view kind);
+  // Copies of a block of a drawing: the block's number, by its name, and that of a further copy of it,
+  // which its outlines then have. Unless all parts are in one copy, a part without a text is called by
+  // its block.
+  std::size_t add_block(const std::string& name);
+  std::size_t add_copy(std::size_t block);
   // Whether the limit of shapes or vertices is reached, so that a reader may stop.
   bool full() const { return full_.has_value(); }
   // The greatest number of holes that a shape keeps. If holes are left out later, it is
@@ -103,6 +110,7 @@ class Gathering {
   struct Drawn {
     bool filled, white;
     std::size_t path, part;  // counted from 1
+    std::size_t copy;
   };
   struct Flattened;
 
@@ -110,6 +118,8 @@ class Gathering {
   std::optional<ImportedShape> flattened(const Outline& outline);
   void add_filled(const DrawnShape& drawn, std::vector<Flattened> rings);
   void name_parts(const std::vector<OutlineWithHoles>& shapes);
+  const std::string& block_of(std::size_t copy) const { return blocks_[copies_[copy - 1]]; }
+  void name_by_blocks(const Nesting& nesting);
   void note_joining(const Joining& joining);
   void name_by_texts();
   void keep_open(const Outline& line);
@@ -125,7 +135,10 @@ class Gathering {
     std::string words, kind;
   };
   std::vector<Text> texts_;
-  std::vector<Drawn> drawn_;  // by shape, if the shapes are outlines of a drawing
+  std::map<std::string, std::size_t> numbers_of_blocks_;
+  std::vector<std::string> blocks_;  // their names
+  std::vector<std::size_t> copies_;  // the block of each, from copy 1
+  std::vector<Drawn> drawn_;         // by shape, if the shapes are outlines of a drawing
   std::size_t paths_ = 0;
   std::size_t outlines_ = 0;  // all shapes and, in a drawing, all holes
   std::size_t without_area_ = 0, problems_ = 0, spikes_ = 0;

@@ -31,7 +31,10 @@ struct CommandEntry {
   Names members;
 };
 constexpr CommandEntry commands[] = {
-    {"place", Command::place, true, {"candidates", "failures", "even_out", "require"}},
+    {"place",
+     Command::place,
+     true,
+     {"candidates", "failures", "even_out", "require", "weight_per_area", "thickness", "density"}},
     {"candidates", Command::candidates, true, {}},
     {"svg", Command::svg, true, {"candidates"}},
     {"poses", Command::poses, true, {"format", "frame", "origin"}},
@@ -39,6 +42,11 @@ constexpr CommandEntry commands[] = {
     {"optimum", Command::optimum, true, {}},
     {"trace", Command::trace, true, {}},
     {"shapes", Command::shapes, false, {"text", "bytes", "flatten", "join", "project", "holes"}},
+    {"parts",
+     Command::parts,
+     true,
+     {"candidates", "failures", "even_out", "require", "weight_per_area", "thickness", "density",
+      "sort"}},
     {"experiment", Command::experiment, false, {"polygons", "settings"}},
     {"version", Command::version, false, {}},
 };
@@ -98,10 +106,14 @@ class Reader {
                             std::vector<std::string>& notices);
   Result<Document> shape_of(Index object, const ImportOptions& options,
                             std::vector<std::string>& notices) const;
+  Problem take_settings(Index object, Document& document);
+  Problem take_weight(Index object, Request& request) const;
+  Problem take_parts(Index object, Request& request);
   Problem take_polygons(Request& request);
   Problem take_experiment_settings(Request& request) const;
 
   std::optional<Index> given(Index object, std::string_view name) const;
+  bool given_setting(Index object, std::string_view name) const;
   Problem take_flag(Index object, std::string_view name, bool& flag) const;
   Problem take_length(Index object, std::string_view name, std::optional<double>& length) const;
   Result<std::string> string(Index at, const char* what) const;
@@ -250,7 +262,13 @@ Problem Reader::take_polygon(Index object, Request& request) {
   Result<Document> read = document(object, request.import, request.notices);
   if (!read) return read.error();
   request.document = std::move(read).value();
-  if (auto wrong = fields_.read(object, request.document)) return wrong;
+  if (auto wrong = take_settings(object, request.document)) return wrong;
+  return set_weight(request.document, request.weight);
+}
+
+// Also those in an object of their own.
+Problem Reader::take_settings(Index object, Document& document) {
+  if (auto wrong = fields_.read(object, document)) return wrong;
   const auto settings = given(object, "settings");
   if (!settings) return std::nullopt;
   if (tree_.kind(*settings) != Kind::object)
@@ -259,13 +277,63 @@ Problem Reader::take_polygon(Index object, Request& request) {
   for (Index i = tree_.first(*settings); i != tree_.end(*settings); i = tree_.next(i))
     if (tree_.member(object, tree_.name(i)))
       return error(i, "\"" + std::string(tree_.name(i)) + "\" is given twice");
-  return fields_.read(*settings, request.document);
+  return fields_.read(*settings, document);
+}
+
+// A weight by area takes the place of the weight.
+Problem Reader::take_weight(Index object, Request& request) const {
+  for (const auto& [name, text] : {std::pair("weight_per_area", &request.weight.per_area),
+                                   {"thickness", &request.weight.thickness},
+                                   {"density", &request.weight.density}}) {
+    const auto at = given(object, name);
+    if (!at) continue;
+    *text = value_text(*at);
+    if (given_setting(object, "weight"))
+      return error(*at, "a weight by area applies without a weight", ErrorCode::bad_setting);
+  }
+  return std::nullopt;
+}
+
+// All shapes of a text but its sheets, each with the settings of the request.
+Problem Reader::take_parts(Index object, Request& request) {
+  for (const char* name : {"polygon", "document", "shape"})
+    if (const auto at = tree_.member(object, name))
+      return error(*at, "this is of a single polygon; parts are those of a \"text\" or of \"bytes\"",
+                   ErrorCode::unsupported);
+  if (auto wrong = take_import_options(object, request.import)) return wrong;
+  const Result<std::string> text = given_text(object);
+  if (!text) return text.error();
+  Result<Import> read = read_shapes(*text, request.import);
+  if (!read) return read.error();
+  request.notices = read->notes;
+  read->shapes.resize(count_parts(*read));
+  request.parts = std::move(read->shapes);
+  for (ImportedShape& part : request.parts) {
+    Problem wrong = take_settings(object, part.document);
+    if (!wrong) wrong = set_weight(part.document, request.weight);
+    if (wrong) return wrong;
+  }
+  if (const auto doubt = doubtful_unit(request.weight, request.parts[0].document.shown.units))
+    request.notices.push_back(sentence(*doubt));
+  request.number_chosen = given_setting(object, "teams") || given_setting(object, "robots");
+  const auto at = given(object, "sort");
+  if (!at) return std::nullopt;
+  const auto order = part_order_from_name(value_text(*at));
+  if (!order) return error(*at, part_order_requirement, ErrorCode::bad_setting);
+  request.order = *order;
+  return std::nullopt;
 }
 
 // A member that is there and not null.
 std::optional<Index> Reader::given(Index object, std::string_view name) const {
   const auto at = tree_.member(object, name);
   return at && tree_.kind(*at) != Kind::null ? at : std::nullopt;
+}
+
+// In the request or in its object of settings.
+bool Reader::given_setting(Index object, std::string_view name) const {
+  const auto settings = given(object, "settings");
+  return given(object, name) || (settings && given(*settings, name));
 }
 
 Problem Reader::take_pose_options(Index object, Request& request) const {
@@ -368,7 +436,10 @@ Problem Reader::take_command(Request& request, const CommandEntry*& entry) const
 }
 
 Problem Reader::take_members(Index object, Request& request) {
-  if (auto wrong = take_polygon(object, request)) return wrong;
+  if (auto wrong = take_weight(object, request)) return wrong;
+  const bool parts = request.command == Command::parts;
+  if (auto wrong = parts ? take_parts(object, request) : take_polygon(object, request))
+    return wrong;
   for (const auto& [name, flag] : {std::pair("candidates", &request.candidates),
                                    {"failures", &request.failures},
                                    {"even_out", &request.even_out}})

@@ -14,6 +14,7 @@
 #include "evenlift/import.h"
 #include "evenlift/output/poses.h"
 #include "evenlift/output/requirements.h"
+#include "evenlift/parts.h"
 #include "evenlift/request.h"
 #include "evenlift/result.h"
 #include "numbers/json_tree.h"
@@ -29,6 +30,7 @@ enum class Command : std::uint8_t {
   optimum,
   trace,
   shapes,
+  parts,
   experiment,
   version
 };
@@ -48,6 +50,10 @@ struct Request {
   std::vector<std::string> notices;  // what was left out of polygon or text
   bool candidates = false, failures = false, even_out = false;
   std::vector<Condition> conditions;
+  WeightByArea weight;
+  std::vector<ImportedShape> parts;  // for `parts`
+  bool number_chosen = false;        // of teams or robots
+  PartOrder order = PartOrder::file;
   PoseFormat pose_format = PoseFormat::json;
   PoseOptions poses;
   std::vector<NamedPolygon> polygons;

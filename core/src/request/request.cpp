@@ -118,6 +118,35 @@ std::string shapes_answer(const Request& request) {
          "\n";
 }
 
+// The same as the lines of `evenlift place --shape all --json`, and its CSV.
+std::string parts_answer(const Request& request) {
+  const std::vector<Part> parts = parts_of(request.parts);
+  const PartsAsked asked{.conditions = request.conditions,
+                         .weight_by_area = request.weight.typed(),
+                         .number_chosen = request.number_chosen,
+                         .even_out = request.even_out,
+                         .failures = request.failures,
+                         .as_json = true,
+                         .candidates = request.candidates};
+  std::vector<PartResult> results;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    results.push_back(place_part(parts[i], request.parts[i], asked));
+  const std::vector<std::size_t> rows =
+      order_of_rows(request.order, request.parts, parts, results);
+  std::vector<std::string> lines;
+  for (const std::size_t row : rows) {
+    std::string& line = results[row].json;
+    line.pop_back();  // its newline
+    lines.push_back(std::move(line));
+  }
+  return json::long_object(
+             {{"notices", json::texts(request.notices)},
+              {"parts", json::long_array(lines, 1)},
+              {"csv", json::text(parts_csv(rows, parts, results, !asked.conditions.empty()))}},
+             0) +
+         "\n";
+}
+
 // --- Experiments
 
 experiment::PolygonResult measured(const NamedPolygon& polygon,
@@ -177,6 +206,8 @@ std::string answer(std::string_view request, std::span<const RequestKind> kinds)
       return trace_answer(*read);
     case Command::shapes:
       return shapes_answer(*read);
+    case Command::parts:
+      return parts_answer(*read);
     case Command::experiment:
       return experiment_answer(*read);
     case Command::version:

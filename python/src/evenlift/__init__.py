@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, Mapping, Sequence, Union
 from . import types
 from ._library import EvenliftError, answer, ask, file_members, polygon_members, written
 from ._results import Candidates, Experiment, Placement
-from .types import ExperimentOptions, File, Options, PlaceOptions, Polygon, PosesOptions, Settings, ShapesOptions, SvgOptions
+from .types import ExperimentOptions, File, Options, PartsOptions, PlaceOptions, Polygon, PosesOptions, Settings, ShapesOptions, SvgOptions
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -42,6 +42,7 @@ __all__ = [
     "experiment",
     "link",
     "optimum",
+    "parts",
     "place",
     "poses",
     "shapes",
@@ -100,6 +101,14 @@ def shapes(file: File, **options: Unpack[ShapesOptions]) -> types.Shapes:
     the other functions."""
     read: types.Shapes = ask({**options, "command": "shapes", **file_members(file)})
     return read
+
+
+def parts(file: File, **options: Unpack[PartsOptions]) -> types.Parts:
+    """Places robots on each shape of a file. With `weight_per_area`, or with `thickness` and `density`, each has a weight by its area;
+    with a `capacity`, the number of robots that it needs. `parts` is a list of placements, and of reasons why shapes were refused; `csv`
+    is the same as a table."""
+    placed: types.Parts = ask({**options, "command": "parts", **file_members(file)})
+    return placed
 
 
 def experiment(polygons: Union[Mapping[str, Polygon], Sequence[Polygon]], **settings: Unpack[ExperimentOptions]) -> Experiment:

@@ -230,7 +230,18 @@ class Options(Settings, PolygonOptions):
     pass
 
 
-class PlaceOptions(Settings, PolygonOptions, total=False):
+class WeightOptions(TypedDict, total=False):
+    """The weight from the area."""
+
+    weight_per_area: Optional[Union[float, str]]
+    """The weight from the area, in place of `weight`: of each square unit, or such as `15.6/m2`."""
+    thickness: Optional[Union[float, str]]
+    """The weight from the area, this thickness and `density`."""
+    density: Optional[Union[float, str]]
+    """Of each cubic unit, or such as `7850/m3`."""
+
+
+class PlaceOptions(Settings, PolygonOptions, WeightOptions, total=False):
     """What a placement may be asked."""
 
     candidates: Optional[bool]
@@ -241,6 +252,13 @@ class PlaceOptions(Settings, PolygonOptions, total=False):
     """Moves two or three supports to the edge so that all carry the same load."""
     require: str
     """Conditions, such as `held, max<=20`."""
+
+
+class PartsOptions(PlaceOptions, total=False):
+    """What all parts may be asked."""
+
+    sort: Union[Literal["file"], Literal["number"], Literal["name"], Literal["area"], Literal["weight"], Literal["load"]]
+    """The order of the parts, default `file`."""
 
 
 class SvgOptions(Settings, PolygonOptions, total=False):
@@ -802,6 +820,45 @@ class Shapes(TypedDict):
     """One or more; in a drawing the largest first, and sheets last."""
 
 
+class Part(TypedDict):
+    """A part of a drawing."""
+
+    shape: int
+    """Its number in the file, from 1."""
+    name: str
+    """Unique, or empty."""
+    at: Position
+    """The middle of its bounding box."""
+    size: Position
+    """The width and height of that box."""
+    area: float
+    """Without holes."""
+
+
+class PlacedPart(Part, Placement):
+    """A part with its robots."""
+
+    pass
+
+
+class RefusedPart(Part):
+    """A part that is refused."""
+
+    error: Problem
+    """In place of a placement."""
+
+
+class Parts(TypedDict):
+    """All parts of a drawing."""
+
+    notices: list[str]
+    """Omissions and decisions."""
+    parts: list[Union[PlacedPart, RefusedPart]]
+    """The lines of `evenlift place --shape all --json`."""
+    csv: str
+    """The rows of `--csv`."""
+
+
 class FigureSeries(TypedDict):
     method: Metric
     points: list[list[float]]
@@ -873,6 +930,18 @@ class Place(TypedDict, total=False):
     """A setting or another member, or its path, such as `supports[3]`."""
     character: int
     """In a link, counted from 1; 0 is the whole link."""
+
+
+class Problem(TypedDict):
+    """Why a part is refused."""
+
+    code: str
+    """One word for programs."""
+    message: str
+    """The sentence that the program prints."""
+    place: Optional[Place]
+    path: Optional[str]
+    """Of the member at fault, counted from 0: `cargo[2].weight`, `polygon[3]`."""
 
 
 # --- Arrays, and the tables of experiments

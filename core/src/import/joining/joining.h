@@ -192,7 +192,8 @@ Nesting nest(const std::vector<ClosedOutline>& outlines);
 struct DrawnPiece {
   Outline outline;
   std::string layer;
-  bool filled = false;  // matters if a straight edge closes the piece
+  bool filled = false;   // matters if a straight edge closes the piece
+  std::size_t copy = 0;  // the copy of a block that it belongs to; 0 for none
 };
 
 struct JoinedOutline {
@@ -200,6 +201,7 @@ struct JoinedOutline {
   std::size_t parts;   // the number of its pieces
   std::string layer;   // the first, by name, of the layers of its pieces
   bool across_layers;  // its pieces are on several layers
+  std::size_t copy;    // of all its pieces; 0 if they have not all the same
 };
 
 struct Joining {
