@@ -190,7 +190,7 @@ def python_definition(name, schema):
         return f"{name} = {python_type(schema, given)}\n{comment}"
     always = {each: of for each, of in schema["properties"].items() if each in schema.get("required", [])}
     perhaps = {each: of for each, of in schema["properties"].items() if each not in always}
-    bases = [name_of(each["$ref"]) for each in schema.get("allOf", [])]
+    bases = [python_names.get(each, each) for each in map(name_of, (each["$ref"] for each in schema.get("allOf", [])))]
     if not perhaps:
         return python_class(name, bases or ["TypedDict"], about, always, given)
     if not always:

@@ -8,6 +8,5 @@ async function compile(url) {
 }
 
 export { EvenliftError } from "./api.js";
-export const { run, place, candidates, svg, poses, link, optimum, trace, shapes, parts, experiment, version } = createApi(
-  await compile(new URL("evenlift.wasm", import.meta.url)),
-);
+export const { run, place, candidates, svg, poses, link, optimum, trace, shapes, parts, experiment, version } =
+  createApi(await compile(new URL("evenlift.wasm", import.meta.url)));

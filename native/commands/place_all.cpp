@@ -154,7 +154,8 @@ void place_all(const PlaceOptions& options) {
     for (const std::size_t part : rows) write_output(results[part].json);
   }
   const bool conditions = !asked.conditions.empty();
-  if (options.table.csv) write_file(*options.table.csv, parts_csv(rows, parts, results, conditions));
+  if (options.table.csv)
+    write_file(*options.table.csv, parts_csv(rows, parts, results, conditions));
   if (!options.as_json) write_output(table_of(rows, parts, results, conditions));
 
   const auto refused = std::count_if(results.begin(), results.end(),

@@ -57,7 +57,8 @@ constexpr TypeMember place_options[] = {
 constexpr TypeMember weight_options[] = {
     {"weight_per_area?", "number | string | null",
      "the weight from the area, in place of `weight`: of each square unit, or such as `15.6/m2`"},
-    {"thickness?", "number | string | null", "the weight from the area, this thickness and `density`"},
+    {"thickness?", "number | string | null",
+     "the weight from the area, this thickness and `density`"},
     {"density?", "number | string | null", "of each cubic unit, or such as `7850/m3`"}};
 constexpr TypeMember parts_options[] = {
     {"sort?", R"("file" | "number" | "name" | "area" | "weight" | "load")",
@@ -424,12 +425,11 @@ constexpr TypeMember shapes[] = {
     {"notices", "string[]", "omissions and decisions"},
     {"shapes", "ImportedShape[]", "one or more; in a drawing the largest first, and sheets last"}};
 
-constexpr TypeMember part[] = {
-    {"shape", "integer", "its number in the file, from 1"},
-    {"name", "string", "unique, or empty"},
-    {"at", "Position", "the middle of its bounding box"},
-    {"size", "Position", "the width and height of that box"},
-    {"area", "number", "without holes"}};
+constexpr TypeMember part[] = {{"shape", "integer", "its number in the file, from 1"},
+                               {"name", "string", "unique, or empty"},
+                               {"at", "Position", "the middle of its bounding box"},
+                               {"size", "Position", "the width and height of that box"},
+                               {"area", "number", "without holes"}};
 constexpr TypeMember refused_part[] = {{"error", "Problem", "in place of a placement"}};
 constexpr std::string_view of_part[] = {"Part"}, of_placed_part[] = {"Part", "Placement"};
 constexpr TypeMember parts[] = {

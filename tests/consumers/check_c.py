@@ -81,7 +81,7 @@ def check_errors(consumer):
         '{"polygon": [[0, 0], [4, 0], [4, 3]], "setings": {}}': (
             "bad_setting", 'There is no setting "setings"; did you mean "settings"?', {"setting": "setings"}),
         '{"command": "fly"}': (
-            "unsupported", "The command must be place, candidates, svg, poses, link, optimum, trace, shapes, experiment or version", {"setting": "command"}),
+            "unsupported", "The command must be place, candidates, svg, poses, link, optimum, trace, shapes, parts, experiment or version", {"setting": "command"}),
     }  # fmt: skip
     for request, (code, message, place) in bad.items():
         path = place.get("setting", "polygon[0]")

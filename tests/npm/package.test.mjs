@@ -22,7 +22,7 @@ const project = path.join(work, "project");
 mkdirSync(project);
 writeFileSync(path.join(project, "package.json"), '{ "private": true, "type": "module" }\n');
 npm(project, "install", "--offline", "--no-audit", "--no-fund", path.join(work, packed.filename));
-const { place, candidates, svg, poses, link, optimum, trace, shapes, experiment, run, version, EvenliftError } =
+const { place, candidates, svg, poses, link, optimum, trace, shapes, parts, experiment, run, version, EvenliftError } =
   await import(pathToFileURL(path.join(project, "node_modules/evenlift/node.js")).href);
 const settingNames = Object.keys(JSON.parse(evenlift("--schema")).$defs.Settings.properties);
 
@@ -189,6 +189,18 @@ test("files are read as the program reads them, and all shapes, optimum and trac
   const text = asset("hammer");
   assert.deepEqual(optimum(text, { teams: 2 }), JSON.parse(evenlift("optimum", plain, "--teams", "2", "--json")));
   assert.deepEqual(trace(text, { teams: 2 }), JSON.parse(evenlift("trace", plain, "--teams", "2", "--json")));
+});
+
+test("parts are the lines and the table of the program", () => {
+  const drawing = path.join(root, "examples/sheet/sheet.dxf");
+  const table = path.join(work, "parts.csv");
+  const options = { thickness: 8, density: "7850/m3", capacity: 0.25, sort: "load" };
+  const typed = Object.entries(options).flatMap(([name, value]) => [`--${name}`, String(value)]);
+  const printed = evenlift("place", drawing, "--shape", "all", "--json", "--csv", table, ...typed);
+  const found = parts(readFileSync(drawing), options);
+  assert.deepEqual(found.parts, printed.trim().split("\n").map(JSON.parse));
+  assert.equal(found.csv, readFileSync(table, "utf8"));
+  assert.equal(refused(parts, "0,0\n4,0\n4,4\n", { thickness: 8 }).path, "thickness");
 });
 
 test("a result is a polygon with its settings, and its centre of mass does not count cargo twice", () => {

@@ -94,7 +94,7 @@ test("the lines of the READMEs and every function are typed", () => {
   const polygon = JSON.stringify(asset("square"));
   assert.deepEqual(
     complaintsOf(`
-    import { EvenliftError, candidates, experiment, link, optimum, place, poses, run, shapes, svg, trace, version } from "evenlift";
+    import { EvenliftError, candidates, experiment, link, optimum, parts as all, place, poses, run, shapes, svg, trace, version } from "evenlift";
     const polygon = ${polygon};
     const loads: (number | null)[] = place(polygon, { teams: "max", metric: "circle", seed: 7n, centre_of_mass: [500, 480], failures: true }).teams.flatMap((team) => team.loads);
     const kinds: ("bisecting" | "vertex" | "midpoint" | "range")[] = candidates([[0, 0], [4, 0], [4, 3]] as const).map(({ kind }) => kind);
@@ -103,10 +103,12 @@ test("the lines of the READMEs and every function are typed", () => {
       run({ command: "version" }), version, experiment([{ name: "a", text: polygon }], { samples: 1 }).measurements];
     const placed = place([[0, 0, 1], [4, 0, 1], [4, 3, 1]], { supports: [{ at: [0, 0], capacity: 30 }, [4, 0]], require: "held" });
     const parts = shapes(new Uint8Array([40])).shapes.map(({ document }) => place(document).held);
+    const sheet = all("0,0 4,0 4,4", { weight_per_area: "15.6/m2", capacity: 3, sort: "load" });
+    const carried = sheet.parts.map((part) => ("error" in part ? part.error.message : part.teams[0]!.loads[0]!));
     const best: [boolean, string] = [optimum(placed, { teams: 2 }).optimum.proved, trace(polygon)[0]!.caption];
     const path = (error: EvenliftError): string | null => error.path;
     const refused = (error: unknown): string => (error instanceof EvenliftError ? error.code : "");
-    export { beside, best, kinds, loads, parts, path, refused, texts };
+    export { beside, best, carried, kinds, loads, parts, path, refused, texts };
   `),
     [],
   );

@@ -517,8 +517,9 @@ TEST_CASE("parts of a sheet have their own weights, numbers of robots and names"
     CHECK(output("'7850 kg/m³'").output == table.output);
     CHECK(output("'7850kg/m3'").errors == table.errors);
     const std::string bare = output("7.85e-6").errors;
-    CHECK(bare.find("evenlift: --density: was read as 7.85e-6/mm3, in the unit of the coordinates; "
-                    "7.85e-6/m3 is another weight\n") != std::string::npos);
+    CHECK(bare.find(
+              "evenlift: --density: this was read as 7.85e-6/mm3, in the unit of the coordinates; "
+              "7.85e-6/m3 is another weight\n") != std::string::npos);
   }
   SECTION("and the row says if no number of robots is enough") {
     run(folder, "evenlift place" + sheet +

@@ -384,7 +384,7 @@ TEST_CASE("parts are all shapes of a file, each with robots of its own", "[reque
   CHECK(small["robots"].size() == 4);
   CHECK(large["area"] == 48);
   CHECK(large["loads"]["max"].number() <= 20);
-  CHECK(bow["error"]["code"] == "not_simple");
+  CHECK(bow["error"]["code"] == "edges_cross");
   CHECK(all["csv"].text().starts_with("shape,name,x,y,"));
 
   SECTION("in the order that is asked for") {
@@ -401,23 +401,27 @@ TEST_CASE("parts are all shapes of a file, each with robots of its own", "[reque
   SECTION("and a weight by area is also for a single polygon, whose unit may differ") {
     CHECK(answer_json(with(R"("weight_per_area": "3/m2", "unit": "cm")"))["weight"].number() ==
           Approx(3e-4 * 8.25));
-    CHECK(parts(R"(, "weight_per_area": 3, "unit": "cm")")["notices"].texts().back() ==
-          "weight_per_area: was read as 3/cm2, in the unit of the coordinates; 3/m2 is another weight");
+    CHECK(
+        parts(R"(, "weight_per_area": 3, "unit": "cm")")["notices"].texts().back() ==
+        "weight_per_area: this was read as 3/cm2, in the unit of the coordinates; 3/m2 is another weight");
   }
   SECTION("and what is wrong is said once, with its path") {
     const auto refused = [&](const std::string& members) {
       const Json error = refusal(R"({"command": "parts", )" + members + "}");
       return error["path"].text() + ": " + error["message"].text();
     };
-    CHECK(refused(file + R"(, "weight_per_area": "heavy")") ==
-          "weight_per_area: weight_per_area: must be a number above 0, perhaps with its unit, such as "
-          "15.6/m2, not \"heavy\"");
-    CHECK(refused(file + R"(, "thickness": 8)") == "thickness: thickness: needs a density as well");
+    CHECK(
+        refused(file + R"(, "weight_per_area": "heavy")") ==
+        "weight_per_area: The weight by area must be a number above 0, perhaps with its unit, such as "
+        "15.6/m2, not \"heavy\"");
+    CHECK(refused(file + R"(, "thickness": 8)") ==
+          "thickness: The thickness needs a density as well");
     CHECK(refused(file + R"(, "density": 8, "settings": {"weight": 5})") ==
-          "density: density: a weight by area applies without a weight");
+          "density: The weight by area applies without a weight");
     CHECK(refused(file + R"(, "sort": "size")") ==
           "sort: sort: expected file, number, name, area, weight or load");
-    CHECK(refused(R"("shape": 2, )" + file).starts_with("shape: shape: this is of a single polygon"));
+    CHECK(
+        refused(R"("shape": 2, )" + file).starts_with("shape: shape: this is of a single polygon"));
     CHECK(refused(l_shape).starts_with("polygon: "));
   }
 }

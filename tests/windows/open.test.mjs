@@ -1,9 +1,10 @@
 import assert from "node:assert/strict";
 import path from "node:path";
 import { afterEach, test } from "node:test";
-import { readFile } from "node:fs/promises";
+import { mkdtemp, readFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
 import { asset, evenlift, idle, link, load, phone, root, sharedBrowser, state } from "../page/browser.mjs";
-import { allClosed, closeAll, drop, noticed, openWindow, paste } from "../page/windows.mjs";
+import { allClosed, closeAll, drop, noticed, openWindow, paste, violations } from "../page/windows.mjs";
 
 let page;
 const browser = sharedBrowser({
@@ -278,6 +279,61 @@ test("of several shapes one is chosen, by the keys or a click", async () => {
   await shapes(page).nth(2).click();
   await idle(page);
   assert.equal((await polygon()).length, 20);
+});
+
+test("all shapes of a file are a table with robots of their own, which sorts, opens and is saved", async () => {
+  const drawing = await readFile(path.join(root, "examples/sheet/sheet.dxf"), "utf8");
+  await drop(page, { files: [["sheet.dxf", drawing]] });
+  await page.getByRole("button", { name: "All in a table" }).click();
+  const parts = page.locator("#parts");
+  const cells = (column) => parts.locator(`tbody tr > :nth-child(${column})`).allTextContents();
+  const place = async () => {
+    await parts.getByRole("button", { name: "Place robots" }).click();
+    await idle(page);
+  };
+  await parts.waitFor();
+  await idle(page);
+  assert.deepEqual((await cells(3)).slice(0, 3), ["P001", "P002", "P003"], "in the order of the file");
+  assert.equal((await cells(3)).length, 200);
+  assert.ok((await cells(5)).every((weight) => weight === "100"));
+  assert.deepEqual(await violations(page), []);
+
+  await parts.getByLabel("Density").fill("steel");
+  await parts.getByLabel("Thickness").fill("8");
+  await place();
+  assert.match(await parts.locator(".problem").textContent(), /^The density must be a number above 0.*“?"?steel/);
+  await parts.getByLabel("Density").fill("7850/m3");
+  await parts.getByLabel("A robot carries").fill("0,25");
+  await place();
+  assert.equal(await parts.locator(".problem").textContent(), "");
+  const download = page.waitForEvent("download");
+  await parts.getByRole("button", { name: "Save as CSV" }).click();
+  const saved = await download;
+  assert.equal(saved.suggestedFilename(), "sheet-parts.csv");
+  const table = path.join(await mkdtemp(path.join(tmpdir(), "evenlift-")), "parts.csv");
+  const steel = ["--thickness", "8", "--density", "7850/m3", "--capacity", "0.25"];
+  evenlift("place", path.join(root, "examples/sheet/sheet.dxf"), "--shape", "all", ...steel, "--csv", table);
+  assert.equal(await readFile(await saved.path(), "utf8"), await readFile(table, "utf8"));
+
+  await parts.getByRole("button", { name: "Weight", exact: true }).click();
+  const weights = (await cells(5)).map(Number);
+  assert.deepEqual(
+    weights,
+    weights.toSorted((a, b) => b - a),
+  );
+  await parts.getByRole("button", { name: "Weight", exact: true }).click();
+  assert.deepEqual((await cells(5)).map(Number), weights.toReversed());
+  const [name] = await cells(3);
+  await parts.locator("tbody button").first().click();
+  assert.match(await noticed(page), new RegExp(`^${name} of “sheet\\.dxf” is opened`));
+  const opened = await state(page);
+  assert.ok(Math.abs(opened.weight - weights.at(-1)) < 1e-3 && opened.capacity.per_robot === 0.25);
+
+  // Later again, and nothing is computed any more once the window is closed.
+  await (await openWindow(page, "open")).getByRole("button", { name: "All in a table" }).click();
+  await parts.waitFor();
+  await page.keyboard.press("Escape");
+  await allClosed(page);
 });
 
 test("how near the edges are to curves can be set, before and after", async () => {

@@ -43,6 +43,10 @@ std::string setting_line(Setting setting, const Document& document);
 // The lines of all these settings, including the centre of mass.
 std::string settings_text(const Document& document);
 
+// The lines of the settings that also fit other objects: the method (area for supports), the number of
+// robots, their capacity and size, units and conditions, but no place on this object.
+std::string settings_for_others(const Document& document);
+
 // Reads lines `name=value` into the document. Returns false at the first invalid one. O(bytes).
 bool read_lines(std::string_view lines, Document& document);
 

@@ -85,6 +85,21 @@ std::string settings_text(const Document& document) {
   return text;
 }
 
+std::string settings_for_others(const Document& document) {
+  constexpr Setting of_this_object[] = {
+      Setting::com,   Setting::no_go,    Setting::supports, Setting::support_capacities,
+      Setting::cargo, Setting::overlays, Setting::step,     Setting::failed};
+  Document others = document;
+  if (others.settings.method == Method::given) others.settings.method = Method::area;
+  std::string text;
+  for (const SettingRow& row : all_settings())
+    if (row.changes != Changes::view &&
+        std::find(std::begin(of_this_object), std::end(of_this_object), row.setting) ==
+            std::end(of_this_object))
+      text += setting_line(row.setting, others);
+  return text;
+}
+
 bool read_lines(std::string_view lines, Document& document) {
   while (!lines.empty()) {
     const std::string_view line = lines.substr(0, lines.find('\n'));

@@ -39,6 +39,9 @@ constexpr RequestKind kinds[] = {
      results},
     {"optimum", {"link", "seconds"}, optimum},
     {"shapes", {"text", "tolerance"}, shapes},
+    {"place_parts",
+     {"text", "tolerance", "settings", "capacity", "per_area", "thickness", "density"},
+     place_parts},
     {"handout", {"link", "lesson"}, handout},
     {"qr", {"text"}, qr_code},
 };
@@ -48,6 +51,10 @@ constexpr RequestKind kinds[] = {
 std::vector<double>& numbers() {
   static std::vector<double> passed;
   return passed;
+}
+
+std::string problem(std::string_view sentence) {
+  return json::object({{"problem", json::text(translated(sentence))}});
 }
 
 double now() { return host_now(); }

@@ -14,10 +14,6 @@
 namespace evenlift::view {
 namespace {
 
-std::string problem_json(std::string_view problem) {
-  return json::object({{"problem", json::text(problem)}});
-}
-
 std::string problem_of(const InputError& error) {
   const std::string place = describe(error.place);
   const std::string message(translated(error.message));
@@ -94,8 +90,7 @@ std::vector<experiment::PolygonResult> merged(std::vector<experiment::PolygonRes
 std::string measure(const RequestMembers& members) {
   experiment::Part part;
   part.settings = settings_of(members);
-  if (const auto wrong = experiment::check_settings(part.settings))
-    return problem_json(wrong->message);
+  if (const auto wrong = experiment::check_settings(part.settings)) return problem(wrong->message);
   const std::string set = members.text("set"), name = members.text("name"),
                     problem = members.text("problem");
   part.result = problem.empty() ? measured(set, name, members.text("text"),
@@ -108,7 +103,7 @@ std::string results(const RequestMembers& members) {
   std::vector<experiment::PolygonResult> parts;
   for (const std::string& text : members.texts("parts")) {
     std::optional<experiment::Part> part = experiment::read_part(text);
-    if (!part) return problem_json("a part cannot be read");
+    if (!part) return problem("a part cannot be read");
     parts.push_back(std::move(part->result));
   }
   std::vector<experiment::PolygonResult> whole = merged(std::move(parts));

@@ -41,10 +41,6 @@ std::vector<PrintedStop> stops_of(const Trace& trace, const Result<Lesson>& less
   return stops;
 }
 
-std::string problem(const InputError& error) {
-  return json::object({{"problem", json::text(translated(error.message))}});
-}
-
 std::string in_json(const Points& points) {
   std::vector<std::string> all;
   for (const Vec2& p : points) all.push_back(json::pair(p));
@@ -149,11 +145,11 @@ std::string holes_json(const Paper& paper, const Placement& placement) {
 //   problem                 a sentence, instead of all the above
 std::string handout(const RequestMembers& members) {
   const Result<Document> document = decode_link(members.text("link"));
-  if (!document) return problem(document.error());
+  if (!document) return problem(document.error().message);
   const Result<Placement> placement = place(*document);
-  if (!placement) return problem(placement.error());
+  if (!placement) return problem(placement.error().message);
   const Result<Trace> trace = make_trace(*placement, HistoryLength::whole, document->shown.units);
-  if (!trace) return problem(trace.error());
+  if (!trace) return problem(trace.error().message);
   const Paper paper(shown_points(*placement));
   const Result<Lesson> lesson = parse_lesson(members.text("lesson"));
   std::vector<std::string> steps;

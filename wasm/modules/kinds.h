@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "evenlift/request.h"
@@ -14,6 +15,8 @@ std::vector<double>& numbers();
 
 // The host's clock, in milliseconds.
 double now();
+// The answer to a request that cannot be carried out: {"problem"}, in the reader's language.
+std::string problem(std::string_view sentence);
 // Hands over a result before the answer.
 void report(const std::string& json);
 
@@ -50,6 +53,14 @@ std::string optimum(const RequestMembers& members);
 // shape has a name, a description, the tolerance of its curves (or 0), outline and holes for a
 // small picture, and its text in the thesis's format, with the link that holds its settings, or "".
 std::string shapes(const RequestMembers& members);
+
+// text, tolerance, settings as lines (settings_for_others() of derive/derive.h), which a file's own
+// replace; capacity, per_area, thickness and density as typed, or "" (parts.h). Places robots on each
+// shape. First reports {"count", "columns"}, the columns' headings, then for each part in the order of
+// the text its number, name, width, height, weight (or null), robots, values (or null) and texts of the
+// columns, verdict and problem, outline and holes for a small picture, and open, the link or text that
+// opens it. {"csv"}, or {"problem"} if something typed is invalid.
+std::string place_parts(const RequestMembers& members);
 
 // link, lesson, the text of a lesson or "" for the main steps: the steps, to be printed
 // (handout.cpp).

@@ -27,9 +27,6 @@ struct Compared {
   double seconds = 0;    // the time limit
   bool stopped = false;  // the time ran out
 };
-std::string problem(std::string_view text) {
-  return json::object({{"problem", json::text(translated(text))}});
-}
 
 // The same number of teams, chosen among candidates.
 Document with_teams(Document document) {

@@ -75,7 +75,7 @@ std::string search_to_its_end(Task& task) {
 std::string search(const RequestMembers& members) {
   std::optional<Task> task =
       task_of(members.text("polygon"), members.text("settings"), members.text("robots"));
-  if (!task) return json::object({{"problem", json::text("the search cannot begin")}});
+  if (!task) return problem("the search cannot begin");
   if (!task->counted) return search_to_its_end(*task);
   return found(plan_text(plan_for_failures({*task->counted, task->shown}, *task->shown.capacity)));
 }

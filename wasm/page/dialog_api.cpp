@@ -14,6 +14,7 @@
 
 #include "actions/actions.h"
 #include "app/app.h"
+#include "derive/derive.h"
 #include "edits/vertices.h"
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
@@ -114,6 +115,11 @@ using evenlift::Vec2;
 extern "C" {
 
 // --- Samples and text
+
+// The settings with which other objects are placed, as lines name=value.
+EMSCRIPTEN_KEEPALIVE const char* page_settings_for_others() {
+  return hand_over(settings_for_others(app().state.work.document()));
+}
 
 // All settings stay.
 EMSCRIPTEN_KEEPALIVE const char* page_open_sample(const char* text) {

@@ -90,18 +90,18 @@ export function speakingCore() {
   return core;
 }
 
-// Answers one request in a worker of its own; `signal` may abort it.
-export function askOnce(request, signal) {
-  return underWay(ask(request, signal));
+// Answers one request in a worker of its own; `signal` may abort it, and `progress` gets the results before the answer.
+export function askOnce(request, signal, progress) {
+  return underWay(ask(request, signal, progress));
 }
 
-async function ask(request, signal) {
+async function ask(request, signal, progress) {
   const core = speakingCore();
   const stop = () => core.end(signal.reason);
   signal?.addEventListener("abort", stop, { once: true });
   try {
     signal?.throwIfAborted();
-    return await core.ask(request);
+    return await core.ask(request, { progress });
   } finally {
     signal?.removeEventListener("abort", stop);
     core.end();

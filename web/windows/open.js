@@ -8,6 +8,7 @@ import { openLessonText, openLinkedLesson } from "../lessons/lesson_source.js";
 import { linkedLesson } from "../page/address.js";
 import { isLesson } from "../page/lesson_text.js";
 import { isPhoto, layBehind, photoLine } from "../photo/photo.js";
+import { showParts } from "./parts.js";
 import { lengthInWords, sentences, showShapes, unitInWords } from "./shapes.js";
 import { underWay } from "../page/under_way.js";
 
@@ -15,6 +16,9 @@ const mostBytes = 64 * 1024 * 1024; // core/include/evenlift/document.h
 const tooLong = (bytes) =>
   bytes > mostBytes &&
   say("It has {number} MiB, more than the 64 that evenlift reads", { number: number(Math.ceil(bytes / 1048576)) });
+
+// The last text with several shapes.
+let several;
 
 // The last text whose curves were flattened, so that another tolerance can be chosen while its polygon is open.
 let curved;
@@ -57,7 +61,32 @@ async function openShapes(page, source) {
 }
 
 function chooseShape(page, source, found, tolerance) {
-  return showShapes({ ...source, found, tolerance, choose: (shape, now) => openShape(page, source, shape, now) });
+  if (found.shapes.length > 1) several = { source, found, tolerance };
+  return showShapes({
+    ...source,
+    found,
+    tolerance,
+    choose: (shape, now) => openShape(page, source, shape, now),
+    all: (now) => allShapes(page, source, now, tolerance),
+  });
+}
+
+// `found` may have been read again with another tolerance.
+function allShapes(page, source, found, tolerance = 0) {
+  return showParts(page, {
+    ...source,
+    found,
+    tolerance,
+    settings: page.program.text("page_settings_for_others"),
+    open: (text, what) => {
+      const problem = page.program.text("page_load", text);
+      if (!problem) {
+        nameOpened(page.program, source.name);
+        done(page, what);
+      }
+      return problem;
+    },
+  });
 }
 
 // `said` is added to the notice; the window of shapes shows it itself.
@@ -188,7 +217,7 @@ export async function show(page, { edited } = {}) {
         help,
         text,
         problem,
-        ...(edited === undefined ? [...againCurved(page), ...photoLine(page)] : []),
+        ...(edited === undefined ? [...againSeveral(page), ...againCurved(page), ...photoLine(page)] : []),
       ),
       el(
         "footer",
@@ -203,6 +232,24 @@ export async function show(page, { edited } = {}) {
     ],
     focus: matchMedia("(pointer: fine)").matches ? text : choose,
   });
+}
+
+// The last text with several shapes, and a button that shows them all.
+function againSeveral(page) {
+  if (!several) return [];
+  const { source, found, tolerance } = several;
+  const show = () => {
+    closeWindows();
+    return allShapes(page, source, found, tolerance);
+  };
+  return [
+    el(
+      "p",
+      { class: "row second again" },
+      say("{what} has {number} shapes.", { what: source.what, number: number(found.shapes.length) }),
+      button("All in a table …", { onclick: () => underWay(show()) }),
+    ),
+  ];
 }
 
 // How the last text's curves were flattened, and a button that changes it.

@@ -6,12 +6,9 @@ import { readShapes } from "../kit/import.js";
 import { say, translated } from "../words/words.js";
 import { underWay } from "../page/under_way.js";
 
-const width = 96;
-const height = 64;
 const atOnce = 100; // shapes before "Show more"
 
-function picture(shape) {
-  const { outline, holes } = shape;
+export function smallPicture({ outline, holes }, width, height) {
   const place = fitted(outline, width, height, 4);
   const rings = [outline, ...holes].map((ring) => ring.map(place));
   return svgEl(
@@ -91,8 +88,9 @@ function whatThereIs(what, { shapes, doubtful }) {
     : say("{what} has curves, but a polygon has straight edges.", values);
 }
 
-// `found` comes from readShapes. `choose` opens a shape, and returns why it was refused, or undefined.
-export async function showShapes({ what, text, found, tolerance = 0, choose }) {
+// `found` comes from readShapes. `choose` opens a shape, and returns why it was refused, or undefined; `all` shows the
+// table of all shapes.
+export async function showShapes({ what, text, found, tolerance = 0, choose, all }) {
   let readings = 0;
   const problem = problemLine();
   const notes = el("p", { class: "second" });
@@ -144,7 +142,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
               "data-index": list.childElementCount + i,
               onclick: () => open(shape),
             },
-            picture(shape),
+            smallPicture(shape, 96, 64),
             ...inWords(shape),
           ),
         ),
@@ -198,13 +196,20 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
   connectKeys(list);
   fill();
   if (tolerance) curves.value = String(tolerance);
+  const table = button("All in a table …", {
+    onclick: () => {
+      root.close();
+      underWay(all(found));
+    },
+  });
+  table.hidden = found.shapes.length < 2;
   const root = await openWindow({
     name: "shapes",
     title: found.shapes.length > 1 || found.doubtful ? "Which shape?" : "Flatten curves",
     body: [
       el("div", { class: "scroll" }, el("p", {}, whatThereIs(what, found)), notes, whole, list, more, told),
       problem,
-      el("footer", {}, form),
+      el("footer", {}, form, table),
     ],
     focus: likely(),
   });

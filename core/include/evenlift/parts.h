@@ -59,7 +59,7 @@ struct PartsAsked {
 };
 
 struct PartResult {
-  std::string refusal;  // empty if it was placed
+  std::string refusal;           // empty if it was placed
   std::optional<double> weight;  // with cargo
   std::size_t robots = 0;
   // Of all quantities with a column; empty unless robots carry it.

@@ -359,8 +359,7 @@ void Gathering::add_joined(const std::vector<DrawnPiece>& pieces, bool closes_al
   for (const JoinedOutline& joined : joining.outlines)
     add({{joined.outline},
          joined.layer,
-         joined.parts == 1 ? "closed line"
-                           : say("{parts} lines and arcs, joined", {joined.parts}),
+         joined.parts == 1 ? "closed line" : say("{parts} lines and arcs, joined", {joined.parts}),
          Fill::none,
          false,
          joined.copy});
@@ -438,9 +437,8 @@ void Gathering::name_by_blocks(const Nesting& nesting) {
   const auto copy_of = [&](const OutlineWithHoles& part) { return drawn_[part.outline].copy; };
   const auto first = nesting.shapes.begin(),
              end = nesting.shapes.end() - static_cast<std::ptrdiff_t>(nesting.sheets);
-  if (std::all_of(first, end, [&](const OutlineWithHoles& part) {
-        return copy_of(part) == copy_of(*first);
-      }))
+  if (std::all_of(first, end,
+                  [&](const OutlineWithHoles& part) { return copy_of(part) == copy_of(*first); }))
     return;
   for (auto part = first; part != end; ++part)
     if (const std::size_t copy = copy_of(*part); copy > 0)
@@ -536,11 +534,10 @@ void Gathering::nest_outlines() {
     const ImportedShape& shape = import.shapes[i];
     const Document& document = shape.document;
     const std::size_t copy = drawn_[i].copy;
-    const bool is_named = (names_differ && names_sheet(shape.name)) ||
-                          (copy > 0 && names_sheet(block_of(copy)));
+    const bool is_named =
+        (names_differ && names_sheet(shape.name)) || (copy > 0 && names_sheet(block_of(copy)));
     outlines.push_back({&document.vertices, &document.holes, drawn_[i].filled,
-                        drawn_[i].white || is_named,
-                        is_of_size(document.vertices, paper)});
+                        drawn_[i].white || is_named, is_of_size(document.vertices, paper)});
   }
   const Nesting nesting = nest(outlines);
   name_by_blocks(nesting);

@@ -109,8 +109,7 @@ PartResult place_part(const Part& part, const ImportedShape& shape, const PartsA
   summarize(of, result);
   if (wanted.as_json)
     result.json = json_line(
-        part, shape,
-        placement_json(of, wanted.candidates, wanted.failures, requirements, beside));
+        part, shape, placement_json(of, wanted.candidates, wanted.failures, requirements, beside));
   return result;
 }
 

@@ -78,7 +78,10 @@ std::vector<std::size_t> order_of_rows(PartOrder order, const std::vector<Import
       sort_by([&](std::size_t i) { return -parts[i].area; });
       break;
     case PartOrder::weight:
-      sort_by([&](std::size_t i) { return -total_weight(shapes[i].document.settings); });
+      // Without an area there may be no weight, and the part is refused.
+      sort_by([&](std::size_t i) {
+        return parts[i].area > 0 ? -total_weight(shapes[i].document.settings) : 0;
+      });
       break;
     case PartOrder::load:
       if (!results.empty()) sort_by([&](std::size_t i) { return -greatest_load(results[i]); });

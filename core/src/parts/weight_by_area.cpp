@@ -37,8 +37,9 @@ Result<double> per_unit(const char* name_of_it, const std::string& text, const U
   const PerUnit given = split(text, units.weight);
   const std::optional<double> value = read_number(given.number);
   const char* const rule =
-      power == 2 ? "must be a number above 0, perhaps with its unit, such as 15.6/m2"
-                 : "must be a number above 0, perhaps with its unit, such as 7850/m3";
+      power == 2
+          ? "the weight by area must be a number above 0, perhaps with its unit, such as 15.6/m2"
+          : "the density must be a number above 0, perhaps with its unit, such as 7850/m3";
   if (!value || !(*value > 0)) return bad_text(name_of_it, rule, text);
   if (!given.has_unit) return *value;
   for (const LengthUnit of : {LengthUnit::m, LengthUnit::cm, LengthUnit::mm, LengthUnit::in}) {
@@ -46,7 +47,8 @@ Result<double> per_unit(const char* name_of_it, const std::string& text, const U
     if (given.of != unit + (power == 2 ? "2" : "3") && given.of != unit + (power == 2 ? "²" : "³"))
       continue;
     if (units.length == LengthUnit::none)
-      return bad_setting(name_of_it, "needs the unit of the coordinates");
+      return bad_setting(name_of_it,
+                         "this has a unit, but the coordinates have none; give theirs as well");
     const double scale = in_metres(1, units.length) / in_metres(1, of);
     return *value * (power == 2 ? scale * scale : scale * scale * scale);
   }
@@ -55,13 +57,14 @@ Result<double> per_unit(const char* name_of_it, const std::string& text, const U
 
 Result<double> for_each_square_unit(const WeightByArea& weight, const Units& units) {
   if (weight.per_area && (weight.thickness || weight.density))
-    return bad_setting(per_area_name, "applies without a thickness and a density");
+    return bad_setting(per_area_name,
+                       "the weight by area applies without a thickness and a density");
   if (weight.per_area) return per_unit(per_area_name, *weight.per_area, units, 2);
-  if (!weight.density) return bad_setting("thickness", "needs a density as well");
-  if (!weight.thickness) return bad_setting("density", "needs a thickness as well");
+  if (!weight.density) return bad_setting("thickness", "the thickness needs a density as well");
+  if (!weight.thickness) return bad_setting("density", "the density needs a thickness as well");
   const std::optional<double> thick = read_number(*weight.thickness);
   if (!thick || !(*thick > 0))
-    return bad_text("thickness", "must be a length above 0", *weight.thickness);
+    return bad_text("thickness", "the thickness must be a number above 0", *weight.thickness);
   const Result<double> density = per_unit("density", *weight.density, units, 3);
   if (!density) return density.error();
   return *thick * *density;
@@ -78,7 +81,7 @@ std::optional<InputError> set_weight(Document& document, const WeightByArea& wei
   document.settings.weight = *each * object->area();
   if (is_in_range(Setting::weight, document.settings.weight)) return std::nullopt;
   return bad_setting(weight.per_area ? per_area_name : "density",
-                     say("makes a weight of {weight}; it must be from 1e-100 to 1e100",
+                     say("this makes a weight of {weight}; it must be from 1e-100 to 1e100",
                          {shortest(document.settings.weight)}));
 }
 
@@ -89,8 +92,8 @@ std::optional<InputError> doubtful_unit(const WeightByArea& weight, const Units&
     return std::nullopt;
   const std::string power = weight.per_area ? "2" : "3", mine(name(units.length));
   return bad_setting(weight.per_area ? per_area_name : "density",
-                     say("was read as {mine}, in the unit of the coordinates; {metres} is another "
-                         "weight",
+                     say("this was read as {mine}, in the unit of the coordinates; {metres} is "
+                         "another weight",
                          {*text + "/" + mine + power, *text + "/m" + power}));
 }
 

@@ -289,7 +289,7 @@ Problem Reader::take_weight(Index object, Request& request) const {
     if (!at) continue;
     *text = value_text(*at);
     if (given_setting(object, "weight"))
-      return error(*at, "a weight by area applies without a weight", ErrorCode::bad_setting);
+      return error(*at, "the weight by area applies without a weight", ErrorCode::bad_setting);
   }
   return std::nullopt;
 }
@@ -298,7 +298,8 @@ Problem Reader::take_weight(Index object, Request& request) const {
 Problem Reader::take_parts(Index object, Request& request) {
   for (const char* name : {"polygon", "document", "shape"})
     if (const auto at = tree_.member(object, name))
-      return error(*at, "this is of a single polygon; parts are those of a \"text\" or of \"bytes\"",
+      return error(*at,
+                   "this is of a single polygon; parts are those of a \"text\" or of \"bytes\"",
                    ErrorCode::unsupported);
   if (auto wrong = take_import_options(object, request.import)) return wrong;
   const Result<std::string> text = given_text(object);

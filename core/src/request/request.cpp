@@ -131,8 +131,7 @@ std::string parts_answer(const Request& request) {
   std::vector<PartResult> results;
   for (std::size_t i = 0; i < parts.size(); ++i)
     results.push_back(place_part(parts[i], request.parts[i], asked));
-  const std::vector<std::size_t> rows =
-      order_of_rows(request.order, request.parts, parts, results);
+  const std::vector<std::size_t> rows = order_of_rows(request.order, request.parts, parts, results);
   std::vector<std::string> lines;
   for (const std::size_t row : rows) {
     std::string& line = results[row].json;

@@ -835,7 +835,7 @@ class Part(TypedDict):
     """Without holes."""
 
 
-class PlacedPart(Part, Placement):
+class PlacedPart(Part, PlacementDict):
     """A part with its robots."""
 
     pass

@@ -188,6 +188,10 @@ def check_kinds_of_polygons():
         file.write_bytes("x;y;Größe\n".encode("latin-1") + "".join(f"{x};{y};1\n" for x, y in l_shape).encode())
         assert evenlift.place(file)["teams"] == evenlift.place(file.read_bytes())["teams"] == plain["teams"]
         assert evenlift.shapes(file)["shapes"][0]["document"]["polygon"] == plain["polygon"]
+    two = "a\n0,0\n4,0\n4,3\n\nb\n10,0\n14,0\n14,9\n"
+    parts = evenlift.parts(two, weight_per_area=2, capacity=20, sort="weight")
+    assert [part["name"] for part in parts["parts"]] == ["b", "a"] and parts["parts"][0]["weight"] == 36 and parts["csv"].count("\n") == 3
+    assert evenlift.parts("0,0\n4,4\n4,0\n0,4\n")["parts"][0]["error"]["code"] == "edges_cross"
     cargo = [((0.5, 0.5), 50, "motor"), {"at": (3, 1), "weight": 2}]
     loaded = evenlift.place(l_shape, cargo=cargo, teams=2, weight=7)
     assert evenlift.place(loaded) == loaded and evenlift.place(json.loads(loaded.json)) == loaded

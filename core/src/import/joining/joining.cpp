@@ -318,9 +318,8 @@ void Drawing::add_outlines(Joining& joining) const {
         [&](std::size_t a, std::size_t b) { return pieces_[a].layer < pieces_[b].layer; });
     const std::string& layer = pieces_[*least].layer;
     const std::size_t copy = pieces_[used.front()].copy;
-    const bool of_one_copy = std::all_of(used.begin(), used.end(), [&](std::size_t piece) {
-      return pieces_[piece].copy == copy;
-    });
+    const bool of_one_copy = std::all_of(
+        used.begin(), used.end(), [&](std::size_t piece) { return pieces_[piece].copy == copy; });
     joining.outlines.push_back({outline_of(face, edges_, places_), used.size(), layer,
                                 layer != pieces_[*greatest].layer, of_one_copy ? copy : 0});
   }
