@@ -17,7 +17,8 @@ namespace {
 struct Options {
   std::vector<std::string> paths;
   std::optional<std::string> out, samples, min_ratio, max_teams, max_balanced, jobs, shard;
-  bool merge = false;
+  std::optional<std::string> weight, cargo, robot;
+  bool failures = false, merge = false;
 };
 
 std::uint32_t whole_option_32(const std::string& option, const std::string& text) {
@@ -30,11 +31,16 @@ experiment::ExperimentSettings settings_of(const Options& options) {
   if (options.max_teams) settings.most_teams = whole_option_32("--max-teams", *options.max_teams);
   if (options.max_balanced)
     settings.most_balanced = whole_option_32("--max-balanced", *options.max_balanced);
-  if (options.min_ratio) {
-    Document document;  // its settings contain the ratio
-    setting_option(Setting::min_ratio, *options.min_ratio, document);
-    settings.min_ratio = document.settings.min_ratio;
-  }
+  Document document;
+  for (const auto& [setting, text] : {std::pair(Setting::min_ratio, &options.min_ratio),
+                                      {Setting::robot, &options.robot},
+                                      {Setting::weight, &options.weight},
+                                      {Setting::cargo, &options.cargo}})
+    if (*text) setting_option(setting, **text, document);
+  settings.min_ratio = document.settings.min_ratio;
+  settings.robot = document.settings.robot;
+  settings.failures = options.failures;
+  if (options.weight || options.cargo) settings.weight.reset();
   if (const std::optional<InputError> error = experiment::check_settings(settings))
     throw SettingOptions{}.failure("", *error);
   return settings;
@@ -102,6 +108,14 @@ void report_refused(const std::vector<Failure>& refused, std::size_t polygons) {
                       " polygons could not be read and were left out"};
 }
 
+// Weight and cargo of every polygon; typed cargo is added to that of the file.
+Loading loading_of(const Options& options) {
+  return [&options](Document& document) {
+    if (options.weight) setting_option(Setting::weight, *options.weight, document);
+    if (options.cargo) add_cargo(*options.cargo, document);
+  };
+}
+
 void run(const Options& options) {
   if (options.paths.empty())
     throw Failure{bad_input_status, "PATH", "missing; see `evenlift experiment --help`"};
@@ -111,7 +125,8 @@ void run(const Options& options) {
   const std::vector<PolygonFile> files = find_polygon_files(options.paths);
   check_out(*options.out, files);
   const ExperimentFolder folder = ExperimentFolder::create(*options.out);
-  const RunOutcome outcome = run_experiment(files, shard, settings, jobs, folder);
+  const RunOutcome outcome =
+      run_experiment(files, loading_of(options), shard, settings, jobs, folder);
   std::string said;
   if (outcome.resumed > 0)
     said = std::to_string(outcome.resumed) + " of " + std::to_string(outcome.polygons) +
@@ -128,14 +143,15 @@ void run(const Options& options) {
 }
 
 void merge(const Options& options) {
+  constexpr char is_measured[] = "not allowed with --merge: the shards are already measured";
   for (const auto& [option, given] :
        {std::pair("--samples", &options.samples), std::pair("--min-ratio", &options.min_ratio),
         std::pair("--max-teams", &options.max_teams),
         std::pair("--max-balanced", &options.max_balanced), std::pair("--jobs", &options.jobs),
-        std::pair("--shard", &options.shard)})
-    if (*given)
-      throw Failure{bad_input_status, option,
-                    "not allowed with --merge: the shards are already measured"};
+        std::pair("--shard", &options.shard), std::pair("--weight", &options.weight),
+        std::pair("--cargo", &options.cargo), std::pair("--robot", &options.robot)})
+    if (*given) throw Failure{bad_input_status, option, is_measured};
+  if (options.failures) throw Failure{bad_input_status, "--failures", is_measured};
   check_out(*options.out, {});
   std::vector<ExperimentFolder> folders;
   for (const std::string& path : options.paths) folders.push_back(ExperimentFolder::open(path));
@@ -174,6 +190,13 @@ void cmd_experiment(const Arguments& arguments) {
              "greatest number of teams to measure (default 1000)");
   line.value(options.max_balanced, "--max-balanced", "M",
              "greatest number of balanced robots to measure, 2 to 64 (default 12)");
+  line.value(options.weight, "--weight", "W", "the weight of every object (default 100)");
+  line.value(options.cargo, "--cargo", "\"X,Y:W[:NAME] ...\"",
+             "loads fixed to every object, added to those of the files");
+  line.value(options.robot, "--robot", "r=R,reach=G,...",
+             "size of a robot, as for place; distributed and random have none");
+  line.flag(options.failures, "--failures",
+            "also measure whether any one robot may fail, and the greatest load then");
   line.value(options.jobs, "--jobs", "N", "number of threads (default one for each processor)");
   line.value(options.shard, "--shard", "I/N", "measure only the I-th of N parts of the work");
   line.flag(options.merge, "--merge",

@@ -115,8 +115,7 @@ Work work_on(const MeasuredPolygon& polygon, const experiment::ExperimentSetting
   const experiment::ShardList::Entry entry{polygon.set, polygon.name, id};
   if (folder.find(entry, settings)) return {entry, true, {}};
   const Clock::time_point start = Clock::now();
-  const Result<experiment::Subject> subject =
-      experiment::prepare(polygon.document, settings.min_ratio);
+  const Result<experiment::Subject> subject = experiment::prepare(polygon.document, settings);
   const double seconds = seconds_since(start);
   if (!subject)
     return refuse(polygon, bad_input(polygon.source, subject.error()), settings, folder);
@@ -141,13 +140,15 @@ std::vector<std::size_t> by_size(const std::vector<MeasuredPolygon>& polygons) {
 
 }  // namespace
 
-RunOutcome run_experiment(const std::vector<PolygonFile>& all, const experiment::Shard& shard,
+RunOutcome run_experiment(const std::vector<PolygonFile>& all, const Loading& loading,
+                          const experiment::Shard& shard,
                           const experiment::ExperimentSettings& settings, unsigned jobs,
                           const ExperimentFolder& folder) {
   std::vector<PolygonFile> files;
   for (std::size_t i = shard.i - 1; i < all.size(); i += shard.n) files.push_back(all[i]);
 
-  const std::vector<MeasuredPolygon> polygons = read_polygons(files);
+  std::vector<MeasuredPolygon> polygons = read_polygons(files);
+  for (MeasuredPolygon& polygon : polygons) loading(polygon.document);
   std::vector<Work> works(polygons.size());
   {
     const std::vector<std::size_t> order = by_size(polygons);

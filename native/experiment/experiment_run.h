@@ -1,6 +1,7 @@
 // Runs an experiment over a folder, and writes its report.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -82,7 +83,11 @@ struct RunOutcome {
 // there are n shards, each has every n-th file. The largest shapes come first. Skips unchanged
 // polygons whose measurements with the same settings are already in the folder. Finally writes the
 // shard's list. Throws Failure if the folder cannot be written.
-RunOutcome run_experiment(const std::vector<PolygonFile>& all, const experiment::Shard& shard,
+//
+// `loading` sets the weight and the cargo of each polygon.
+using Loading = std::function<void(Document&)>;
+RunOutcome run_experiment(const std::vector<PolygonFile>& all, const Loading& loading,
+                          const experiment::Shard& shard,
                           const experiment::ExperimentSettings& settings, unsigned jobs,
                           const ExperimentFolder& folder);
 

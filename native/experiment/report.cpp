@@ -61,8 +61,8 @@ std::string summaries(const std::vector<experiment::ResultSet>& sets,
     text += (sets.size() > 1 ? "<strong>" + escaped(set.name) + "</strong>: " : std::string()) +
             summary(set.results) + (sets.size() > 1 ? "<br>" : " ");
   return text + "Minimum load ratio " + shortest(settings.min_ratio) + ", object of " +
-         shortest(settings.weight) + " kg, " + count(settings.samples, "random placement") +
-         " averaged.";
+         shortest(experiment::experiment_weight) + " kg, " +
+         count(settings.samples, "random placement") + " averaged.";
 }
 
 std::string problems(const std::vector<experiment::ResultSet>& sets) {

@@ -70,20 +70,6 @@ void supports_option(const std::string& text, Document& document) {
   document.moved = {};
 }
 
-// Adds to the file's cargo; `none` removes it.
-void cargo_option(const std::string& text, Document& document) {
-  Document more;
-  setting_option(Setting::cargo, text, more);
-  std::vector<Cargo>& cargo = document.settings.cargo;
-  if (text == "none") cargo.clear();
-  cargo.insert(cargo.end(), more.settings.cargo.begin(), more.settings.cargo.end());
-  if (cargo.size() > max_cargo)
-    throw Failure{bad_input_status, "--cargo",
-                  "with the cargo of the file these are " + std::to_string(cargo.size()) +
-                      " loads; at most " + std::to_string(max_cargo) + " are possible"};
-  document.moved = {};
-}
-
 }  // namespace
 
 std::uint64_t whole_option(const std::string& option, const std::string& text, std::uint64_t most) {
@@ -116,6 +102,19 @@ void setting_option(Setting setting, const std::string& text, Document& document
   }
 }
 
+void add_cargo(const std::string& text, Document& document) {
+  Document more;
+  setting_option(Setting::cargo, text, more);
+  std::vector<Cargo>& cargo = document.settings.cargo;
+  if (text == "none") cargo.clear();
+  cargo.insert(cargo.end(), more.settings.cargo.begin(), more.settings.cargo.end());
+  if (cargo.size() > max_cargo)
+    throw Failure{bad_input_status, "--cargo",
+                  "with the cargo of the file these are " + std::to_string(cargo.size()) +
+                      " loads; at most " + std::to_string(max_cargo) + " are possible"};
+  document.moved = {};
+}
+
 LoadModel loads_option(const std::string& text) {
   return value_or_refusal(Setting::loads, load_model_from_name(text), text);
 }
@@ -133,7 +132,7 @@ void SettingOptions::apply(Document& document) const {
   for (const SettingRow& row : all_settings())
     if (typed(row.setting) && row.setting != Setting::supports && row.setting != Setting::cargo)
       setting_option(row.setting, *typed(row.setting), document);
-  if (const Typed& cargo = typed(Setting::cargo)) cargo_option(*cargo, document);
+  if (const Typed& cargo = typed(Setting::cargo)) add_cargo(*cargo, document);
   // The file of supports may need the unit. Supports set the method; another is refused below.
   const Method method = document.settings.method;
   if (const Typed& supports = typed(Setting::supports)) supports_option(*supports, document);

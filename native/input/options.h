@@ -26,6 +26,8 @@ unsigned jobs_option(const std::optional<std::string>& text);
 // is not part of a document. Both throw Failure with the option's name if the text is invalid.
 void setting_option(Setting setting, const std::string& text, Document& document);
 LoadModel loads_option(const std::string& text);
+// Adds typed cargo to the document's; `none` removes it. Throws Failure like setting_option().
+void add_cargo(const std::string& text, Document& document);
 
 // The options for the settings in the table of settings.h. If an option is not typed, its setting
 // keeps the file's value or the default.

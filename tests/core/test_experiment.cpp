@@ -3,9 +3,11 @@
 
 #include "evenlift/closure.h"
 #include "evenlift/experiment/aggregates.h"
+#include "evenlift/experiment/outputs.h"
 #include "evenlift/experiment/results.h"
 #include "evenlift/experiment/shard_list.h"
 #include "evenlift/placement.h"
+#include "evenlift/report.h"
 #include "evenlift/selection.h"
 #include "experiment/measure/csv.h"
 #include "kit/corpus.h"
@@ -22,7 +24,7 @@ const std::vector<std::string> some = {"thesis-sample",  "thesis-sample-centroid
                                        "horseshoe",      "gear"};
 
 experiment::Subject subject_of(const Document& document, double min_ratio = 0.8) {
-  Result<experiment::Subject> subject = experiment::prepare(document, min_ratio);
+  Result<experiment::Subject> subject = experiment::prepare(document, {.min_ratio = min_ratio});
   REQUIRE(subject.ok());
   return *std::move(subject);
 }
@@ -30,6 +32,7 @@ experiment::Subject subject_of(const Document& document, double min_ratio = 0.8)
 experiment::Part some_part() {
   experiment::Part part;
   part.settings = {0.75, 3, 50, 6, 480};
+  part.settings.failures = true;
   const Document document = corpus::polygon("thesis-sample-centroid");
   part.fingerprint = experiment::fingerprint(document, part.settings);
   const experiment::Subject subject = subject_of(document, part.settings.min_ratio);
@@ -112,6 +115,69 @@ TEST_CASE("balanced robots are measured with every number of them, as place find
     }
     CHECK(number == 8);
   }
+}
+
+TEST_CASE("robots with a size, cargo and failures are measured as place and its report tell them",
+          "[experiment][slow]") {
+  experiment::ExperimentSettings settings{
+      .most_teams = 9, .most_balanced = 7, .weight = {}, .failures = true};
+  for (const double radius : {0.0, 12.0}) {
+    settings.robot.radius = radius;
+    for (const char* name : {"thesis-sample", "comb"}) {
+      INFO(name << ", " << radius);
+      Document document = corpus::polygon(name);
+      document.settings.weight = 70;
+      document.settings.robot.radius = radius;
+      const Box box = bounding_box(document.vertices);
+      document.settings.cargo = {{box.middle(), 30, ""}};
+      const Result<experiment::Subject> subject = experiment::prepare(document, settings);
+      REQUIRE(subject.ok());
+      for (const Method method : all_methods) {
+        const auto rows = experiment::measure(*subject, method, settings);
+        const bool is_of_points = method == Method::distributed || method == Method::random;
+        CHECK(rows.empty() == (is_of_points && radius > 0));
+        if (method == Method::random) continue;
+        for (const experiment::Measurement& m : rows) {
+          INFO(evenlift::name(method) << ", " << m.robots);
+          document.settings.method = method;
+          document.settings.teams = m.robots / 2;
+          document.settings.robots = m.robots;
+          const Result<Placement> p = place(document);
+          REQUIRE(p.ok());
+          CHECK(count_robots(p->teams) == m.robots);
+          CHECK(m.coverage == p->coverage);
+          CHECK(m.load_max == p->loads->max);
+          CHECK((m.form_closure == 1) == p->closure.form_closure);
+          const Report report = report_of({*p, {}}, {.failures = true});
+          CHECK((*m.steady == 1) == (report.robustness.failures_clear >= 1));
+          std::optional<double> greatest = 0;
+          for (const auto& rest : report.failures)
+            greatest = rest && greatest
+                           ? std::optional(std::max(*greatest, rest->greatest_by_springs))
+                           : std::nullopt;
+          CHECK(m.after_failure == greatest);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("averages count the loads of each polygon as those of the thesis's object",
+          "[experiment]") {
+  const auto averages = [](double weight) {
+    const Document document = corpus::polygon("thesis-sample");
+    const experiment::ExperimentSettings settings{
+        .samples = 2, .most_balanced = 2, .weight = weight};
+    const auto subject = experiment::prepare(document, settings);
+    experiment::PolygonResult result = experiment::result_of("set", "one", *subject);
+    result.measurements = experiment::measure(*subject, Method::area, settings);
+    return experiment::make_outputs({{"set", {result}}});
+  };
+  const experiment::Outputs usual = averages(100), heavy = averages(800);
+  CHECK(usual.measurements_csv != heavy.measurements_csv);
+  CHECK(experiment::few_robots_markdown(usual.few_robots) ==
+        experiment::few_robots_markdown(heavy.few_robots));
+  CHECK(experiment::claims_markdown(usual.claims) == experiment::claims_markdown(heavy.claims));
 }
 
 TEST_CASE("balanced robots are measured where no team of two can be placed",
@@ -210,7 +276,7 @@ TEST_CASE("what is not a polygon is refused as place does", "[experiment]") {
   Document document;
   document.vertices = {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)};
   document.centre_of_mass = Vec2(5, 5);
-  const Result<experiment::Subject> subject = experiment::prepare(document, 0.8);
+  const Result<experiment::Subject> subject = experiment::prepare(document, {});
   REQUIRE_FALSE(subject.ok());
   CHECK(subject.error().message == place(document).error().message);
   CHECK(experiment::check_settings(experiment::ExperimentSettings{}) == std::nullopt);
@@ -289,7 +355,10 @@ TEST_CASE("the fingerprint tells inputs and settings apart", "[experiment]") {
                                   experiment::fingerprint(document, {.samples = 100}),
                                   experiment::fingerprint(document, {.most_teams = 5}),
                                   experiment::fingerprint(document, {.most_balanced = 5}),
-                                  experiment::fingerprint(document, {.weight = 480})};
+                                  experiment::fingerprint(document, {.weight = 480}),
+                                  experiment::fingerprint(document, {.weight = {}}),
+                                  experiment::fingerprint(document, {.robot = {.radius = 1}}),
+                                  experiment::fingerprint(document, {.failures = true})};
   CHECK(experiment::fingerprint(document, {}) == all[0]);
   std::sort(all.begin(), all.end());
   CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());

@@ -14,7 +14,7 @@ namespace {
 const std::vector<std::string> tiny = {"square", "star-moved", "letter-e-moved"};
 
 experiment::PolygonResult measured(const std::string& name) {
-  const Result<experiment::Subject> subject = experiment::prepare(corpus::polygon(name), 0.8);
+  const Result<experiment::Subject> subject = experiment::prepare(corpus::polygon(name), {});
   REQUIRE(subject.ok());
   experiment::PolygonResult result = experiment::result_of("tiny", name, *subject);
   for (const Method method : all_methods)

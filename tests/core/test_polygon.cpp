@@ -84,7 +84,7 @@ TEST_CASE("placing, planning and measuring refuse too small an object with the s
   document.vertices = square_of(1e-200);
   const std::string message = Polygon::create(document.vertices).error().message;
   CHECK(place(document).error().message == message);
-  CHECK(experiment::prepare(document, 0.8).error().message == message);
+  CHECK(experiment::prepare(document, {}).error().message == message);
 }
 
 TEST_CASE("the thinnest polygons have a diagonal, an area above 0 and a centroid of doubles",

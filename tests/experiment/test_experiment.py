@@ -4,6 +4,7 @@
     EVENLIFT_PROGRAM=build/bin/evenlift python3 tests/experiment/test_experiment.py
 """
 
+import csv
 import os
 import pathlib
 import pty
@@ -315,6 +316,39 @@ class Runs(Case):
         self.assertIn(b"[" + b"." * 30 + b"] 0/10", seen)
         self.assertIn(b"[" + b"#" * 30 + b"] 10/10", seen)
         self.assertTrue(seen.endswith(b"\r\x1b[K"), "the bar is taken away")
+
+
+class Settings(Case):
+    """Each value is that of place, in the tests of the core; here is what the options do."""
+
+    def rows(self, out):
+        with (self.folder / out / "measurements.csv").open(newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_weight_cargo_size_and_failures_are_options(self):
+        for name in SOME[3:]:
+            (self.inputs / f"{name}.txt").unlink()
+        self.experiment("usual")
+        usual = self.rows("usual")
+        self.assertNotIn("steady", usual[0])
+        self.experiment("heavy", "--weight", 250, "--failures")
+        heavy = self.rows("heavy")
+        for a, b in zip(usual, heavy, strict=True):
+            self.assertAlmostEqual(2.5 * float(a["load_max"]), float(b["load_max"]), places=9)
+            self.assertEqual(a["coverage"], b["coverage"])
+            self.assertIn(b["steady"], ("0", "1") if b["method"] != "random" else b["steady"])
+        self.assertEqual(*[(self.folder / out / "robots.md").read_text() for out in ("usual", "heavy")])
+        self.experiment("loaded", "--cargo", "100,100:40:motor", "--robot", "r=5")
+        loaded = self.rows("loaded")
+        self.assertEqual({row["method"] for row in loaded}, {"area", "circle", "distance", "balanced"})
+        for row in loaded:
+            self.assertAlmostEqual(float(row["load_mean"]) * int(row["robots"]), 140, places=9)
+        for option, text, said in (("--weight", "0", "--weight: "), ("--cargo", "1,2", "--cargo: "), ("--robot", "r=-1", "--robot: ")):
+            done = self.experiment("no", option, text, status=2)
+            self.assertTrue(done.stderr.startswith(f"evenlift: {said}"), done.stderr)
+            self.assertFalse((self.folder / "no").exists())
+            done = run("experiment", "--merge", "--out", self.folder / "usual", option, text)
+            self.assertEqual((done.returncode, done.stderr), (2, f"evenlift: {option}: not allowed with --merge: the shards are already measured\n"))
 
 
 class Shards(Case):

@@ -151,7 +151,7 @@ TEST_CASE("an experiment of requests is that of the program", "[request]") {
       "{\"command\": \"experiment\", \"polygons\": " + polygons +
       R"(, "settings": {"samples": 2, "max_teams": 2, "max_balanced": 3, "min_ratio": 0.7}})");
   const experiment::ExperimentSettings settings{0.7, 2, 2, 3};
-  const auto subject = experiment::prepare(l_document(), 0.7);
+  const auto subject = experiment::prepare(l_document(), {.min_ratio = 0.7});
   REQUIRE(subject.ok());
   experiment::PolygonResult result = experiment::result_of("polygons", "l", *subject);
   for (const Method method : all_methods)

@@ -40,7 +40,7 @@ experiment::PolygonResult measured(const std::string& set, const std::string& na
         set, name,
         say("it has {shapes} shapes; here a file may have only one", {import->shapes.size()}));
   const Document& document = import->shapes.front().document;
-  const Result<experiment::Subject> subject = experiment::prepare(document, settings.min_ratio);
+  const Result<experiment::Subject> subject = experiment::prepare(document, settings);
   if (!subject) return refused(set, name, problem_of(subject.error()));
   experiment::PolygonResult result = experiment::result_of(set, name, *subject);
   for (const Method method : all_methods) {

@@ -124,6 +124,9 @@ std::vector<SupportMove> support_moves(const Document& before, const Document& a
 // O(n log n + K log K) for K edge pairs; with a robot's size or no-go edges, also the cost of
 // Stands and of standing_candidates() (candidates.h).
 Result<std::vector<Candidate>> candidates_of(const Document& document);
+// The same with the stands of make_stands().
+Result<std::vector<Candidate>> candidates_of(const Polygon& polygon, const Vec2& centre,
+                                             const Settings& settings, const Stands* stands);
 
 // The placement with its balanced robots replaced by these robots, which a search or the user has
 // chosen. The centroid of `robots` must be C. O(n log n) for up to most_robots.

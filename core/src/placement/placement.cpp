@@ -134,6 +134,8 @@ std::optional<InputError> choose_teams(Placement& placement, Effort effort) {
   return std::nullopt;
 }
 
+}  // namespace
+
 Result<std::vector<Candidate>> candidates_of(const Polygon& polygon, const Vec2& centre,
                                              const Settings& settings, const Stands* stands) {
   const double clear = hold_requirements(polygon, centre, settings).clear;
@@ -144,6 +146,8 @@ Result<std::vector<Candidate>> candidates_of(const Polygon& polygon, const Vec2&
   if (!found) return found.error();
   return std::move(found->candidates);
 }
+
+namespace {
 
 // The robots that the settings ask for; nothing if it is as many as possible.
 std::optional<std::uint32_t> requested_robots(const Settings& settings) {

@@ -158,7 +158,7 @@ experiment::PolygonResult measured(const NamedPolygon& polygon,
     return result;
   };
   if (!polygon.document) return refused(polygon.document.error());
-  const auto subject = experiment::prepare(*polygon.document, settings.min_ratio);
+  const auto subject = experiment::prepare(*polygon.document, settings);
   if (!subject) return refused(subject.error());
   experiment::PolygonResult result = experiment::result_of(polygon.set, polygon.name, *subject);
   for (const Method method : all_methods)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "evenlift/document.h"
 #include "evenlift/polygon_with_holes.h"
 #include "evenlift/result.h"
+#include "evenlift/stands.h"
 
 namespace evenlift::experiment {
 
@@ -29,8 +31,11 @@ struct ExperimentSettings {
   // The greatest number of balanced robots, least_robots .. most_robots. Searching for them takes
   // most of the time; more robots take longer.
   std::uint32_t most_balanced = 12;
-  double weight = experiment_weight;        // of the object; above 0
+  // Of the object with its cargo, above 0; nothing for each document's own.
+  std::optional<double> weight = experiment_weight;
   WeightUnit weight_unit = WeightUnit::kg;  // in the figures of a single polygon
+  RobotSize robot;        // with a size, only the methods that let robots have one are measured
+  bool failures = false;  // also measure what any one failure does
   bool operator==(const ExperimentSettings&) const = default;
 };
 
@@ -41,13 +46,15 @@ std::optional<InputError> check_settings(const ExperimentSettings& settings);
 struct Subject {
   PolygonWithHoles object;
   Vec2 centre;
-  std::vector<Candidate> candidates;  // their number is the greatest number of teams
+  std::vector<Candidate> candidates;          // their number is the greatest number of teams
+  double weight = experiment_weight;          // the document's own, with cargo
+  std::shared_ptr<const Stands> stands = {};  // null if robots are points
 };
 
-// Validates a document and finds its candidates. Of the document's settings, only weight and cargo
-// matter, since C depends on them. The errors are those of place() about the polygon, C and the
+// Validates a document and finds its candidates, for robots of this size. Of the document's settings,
+// only weight and cargo matter, since C depends on them. The errors are those of place() about the polygon, C and the
 // candidates. O(n log n + K log K) for K edge pairs.
-Result<Subject> prepare(const Document& document, double min_ratio);
+Result<Subject> prepare(const Document& document, const ExperimentSettings& settings);
 
 // The values of one method with one number of robots. For random placements they are averages.
 struct Measurement {
@@ -66,6 +73,10 @@ struct Measurement {
                            // balanced robots, as if any two were a team
   std::optional<std::uint32_t> chosen;  // the candidate of the last team, from 0; empty for methods
                                         // that do not choose among candidates
+  // If failures are measured: the share of placements that are steady, with C clearly inside, after
+  // any one failure (Robustness::failures_clear), and the greatest load by springs after any one; empty
+  // if the object then falls. For random placements, the mean over those that do not fall.
+  std::optional<double> steady, after_failure;
   bool operator==(const Measurement&) const = default;
 };
 
@@ -93,6 +104,9 @@ std::uint32_t teams_of(Method method, std::uint32_t robots);
 // Balanced robots are measured with 2, 3, ... up to `most_balanced` robots, even without
 // candidates. A number is omitted if place() finds no placement with the other settings at their
 // defaults. Each number costs one search (balanced.h).
+//
+// Robots with a size may collide, so fewer teams may have room; `distributed` and `random` are then
+// not measured. Failures cost O(m^2) for each placement of m robots.
 //
 // The values are those of place(), except for the max_share of balanced robots.
 std::vector<Measurement> measure(const Subject& subject, Method method,

@@ -19,7 +19,8 @@ struct Outputs {
   std::vector<FewRobots> few_robots;                         // empty for a single polygon
 };
 
-// The outputs for sets of polygons. Each set has its own averages. O(rows).
+// The outputs for sets of polygons. Each set has its own averages, for which the loads of each polygon
+// are scaled to the thesis's weight. O(rows).
 Outputs make_outputs(const std::vector<ResultSet>& sets);
 
 // The outputs for a single polygon: its measurements and make_polygon_figures(). O(rows).

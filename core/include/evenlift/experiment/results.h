@@ -30,7 +30,8 @@ using Times = std::vector<std::pair<std::string, double>>;
 // O(bytes).
 std::string fingerprint(std::string_view bytes);
 
-// The fingerprint of the settings and of the document's outline, holes, centre of mass and cargo.
+// The fingerprint of the settings and of the document's outline, holes, centre of mass, cargo and, if
+// it counts, weight.
 // O(n).
 std::string fingerprint(const Document& document, const ExperimentSettings& settings);
 
@@ -68,7 +69,7 @@ std::optional<Part> read_part(std::string_view text);
 
 // One row for each set, polygon, method and number of robots, in that order, under a heading. The
 // columns are the set, the polygon, the number of teams and the fields of Measurement, of which
-// `chosen` may be empty. Numbers have the fewest digits that read back to the same double. O(rows).
+// `chosen` and `after_failure` may be empty; those of failures are there only if they were measured. Numbers have the fewest digits that read back to the same double. O(rows).
 std::string measurements_csv(const std::vector<ResultSet>& sets);
 
 // One row for each polygon: its number of vertices, whether it is convex, and the number of teams

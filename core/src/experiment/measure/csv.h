@@ -34,6 +34,8 @@ class Fields {
 
   std::string text() { return at_ < row_.size() ? row_[at_++] : (good_ = false, std::string()); }
 
+  bool is_empty() const { return at_ < row_.size() && row_[at_].empty(); }
+
   double number() {
     const std::optional<double> value = read_number(text());
     good_ = good_ && value;
@@ -56,9 +58,14 @@ class Fields {
 };
 
 inline Row settings_fields(const ExperimentSettings& settings) {
-  return {shortest(settings.min_ratio), std::to_string(settings.samples),
-          std::to_string(settings.most_teams), std::to_string(settings.most_balanced),
-          shortest(settings.weight)};
+  const RobotSize& robot = settings.robot;
+  Row row = {shortest(settings.min_ratio), std::to_string(settings.samples),
+             std::to_string(settings.most_teams), std::to_string(settings.most_balanced),
+             settings.weight ? shortest(*settings.weight) : "own"};
+  for (const double size : {robot.radius, robot.reach, robot.depth, robot.width, robot.gap})
+    row.push_back(shortest(size));
+  row.push_back(settings.failures ? "1" : "0");
+  return row;
 }
 
 inline ExperimentSettings read_settings(Fields& fields) {
@@ -67,7 +74,12 @@ inline ExperimentSettings read_settings(Fields& fields) {
   settings.samples = fields.whole();
   settings.most_teams = fields.whole();
   settings.most_balanced = fields.whole();
-  settings.weight = fields.number();
+  const std::string weight = fields.text();
+  settings.weight = weight == "own" ? std::nullopt : read_number(weight);
+  RobotSize& robot = settings.robot;
+  for (double* size : {&robot.radius, &robot.reach, &robot.depth, &robot.width, &robot.gap})
+    *size = fields.number();
+  settings.failures = fields.whole() == 1;
   return settings;
 }
 

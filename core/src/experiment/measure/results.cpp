@@ -13,15 +13,16 @@ namespace {
 
 // Increase it whenever the rows of a polygon or their format change: older parts are then measured
 // again.
-constexpr const char* part_format = "evenlift experiment 4";
+constexpr const char* part_format = "evenlift experiment 5";
 
-csv::Row columns_of_measurements() {
+// The last two only if failures are measured.
+csv::Row measurement_columns(bool failures) {
   csv::Row columns = {"set", "polygon", "method", "teams", "robots", "samples"};
   for (const MeasuredValue& measured : measured_values) columns.emplace_back(measured.column);
   columns.emplace_back("chosen");
+  if (failures) columns.insert(columns.end(), {"steady", "after_failure"});
   return columns;
 }
-const csv::Row measurement_columns = columns_of_measurements();
 
 csv::Row measurement_row(const PolygonResult& of, const Measurement& m) {
   csv::Row row = {of.set,
@@ -32,6 +33,9 @@ csv::Row measurement_row(const PolygonResult& of, const Measurement& m) {
                   std::to_string(m.samples)};
   for (const auto& [column, value] : measured_values) row.push_back(shortest(m.*value));
   row.push_back(m.chosen ? std::to_string(*m.chosen) : "");
+  if (!m.steady) return row;
+  row.push_back(shortest(*m.steady));
+  row.push_back(m.after_failure ? shortest(*m.after_failure) : "");
   return row;
 }
 
@@ -65,8 +69,16 @@ bool read_polygon_row(const csv::Row& row, PolygonResult& result) {
   return fields.text().empty() && fields.done();
 }
 
-bool read_measurement(const csv::Row& row, PolygonResult& result) {
-  if (row.size() != measurement_columns.size() + 1 || row[1] != result.set ||
+// An empty field is no number.
+template <class Number>
+std::optional<Number> read_optional(csv::Fields& fields, Number (csv::Fields::*read)()) {
+  if (!fields.is_empty()) return (fields.*read)();
+  fields.text();
+  return std::nullopt;
+}
+
+bool read_measurement(const csv::Row& row, bool failures, PolygonResult& result) {
+  if (row.size() != measurement_columns(failures).size() + 1 || row[1] != result.set ||
       row[2] != result.polygon)
     return false;
   const std::optional<Method> method = method_from_name(row[3]);
@@ -79,10 +91,10 @@ bool read_measurement(const csv::Row& row, PolygonResult& result) {
   if (teams != teams_of(m.method, m.robots)) return false;
   m.samples = fields.whole();
   for (const auto& [column, value] : measured_values) m.*value = fields.number();
-  if (!row.back().empty()) {
-    m.chosen = fields.whole();
-  } else {
-    fields.text();
+  m.chosen = read_optional(fields, &csv::Fields::whole);
+  if (failures) {
+    m.steady = fields.number();
+    m.after_failure = read_optional(fields, &csv::Fields::number);
   }
   if (!fields.done()) return false;
   result.measurements.push_back(m);
@@ -114,7 +126,8 @@ std::string fingerprint(std::string_view bytes) {
 }
 
 std::string fingerprint(const Document& document, const ExperimentSettings& settings) {
-  return fingerprint(csv::line(csv::settings_fields(settings)) + write_thesis(document));
+  const std::string weight = settings.weight ? "" : shortest(document.settings.weight) + "\n";
+  return fingerprint(csv::line(csv::settings_fields(settings)) + weight + write_thesis(document));
 }
 
 PolygonResult result_of(const std::string& set, const std::string& polygon,
@@ -164,9 +177,10 @@ std::optional<Part> read_part(std::string_view text) {
     return std::nullopt;
   for (std::size_t i = 2; i + 1 < rows->size(); ++i) {
     const csv::Row& row = (*rows)[i];
-    const bool read = row[0] == "measured" ? read_measurement(row, part.result)
-                      : row[0] == "time"   ? read_time(row, part.times)
-                                           : false;
+    const bool read = row[0] == "measured"
+                          ? read_measurement(row, part.settings.failures, part.result)
+                      : row[0] == "time" ? read_time(row, part.times)
+                                         : false;
     if (!read) return std::nullopt;
   }
   // Refuses numbers that write_part would write in another way.
@@ -175,7 +189,12 @@ std::optional<Part> read_part(std::string_view text) {
 }
 
 std::string measurements_csv(const std::vector<ResultSet>& sets) {
-  std::string text = csv::line(measurement_columns);
+  const bool failures = std::any_of(sets.begin(), sets.end(), [](const ResultSet& set) {
+    return std::any_of(set.results.begin(), set.results.end(), [](const PolygonResult& result) {
+      return !result.measurements.empty() && result.measurements.front().steady;
+    });
+  });
+  std::string text = csv::line(measurement_columns(failures));
   for (const ResultSet& set : sets)
     for (const PolygonResult& result : set.results)
       for (const Measurement& m : result.measurements)
@@ -258,7 +277,7 @@ namespace evenlift::experiment {
 
 namespace {
 
-constexpr const char* list_format = "evenlift experiment shard 3";
+constexpr const char* list_format = "evenlift experiment shard 4";
 
 bool read_heading(const csv::Row& row, ShardList& list) {
   csv::Fields fields(row, 1);

@@ -223,14 +223,32 @@ void add_refused(const PolygonResult& result, Outputs& outputs) {
 
 }  // namespace
 
+namespace {
+
+// Averages over objects of several weights would say nothing: the loads of each count as those of the
+// thesis's object, bit for bit if its weight is that.
+std::vector<PolygonResult> of_thesis_weight(std::vector<PolygonResult> results) {
+  for (PolygonResult& result : results)
+    for (Measurement& m : result.measurements) {
+      const double weight = m.load_mean * m.robots;
+      if (std::abs(weight - experiment_weight) <= tau * experiment_weight) continue;
+      for (double* load : {&m.load_min, &m.load_mean, &m.load_max, &m.spread})
+        *load *= experiment_weight / weight;
+    }
+  return results;
+}
+
+}  // namespace
+
 Outputs make_outputs(const std::vector<ResultSet>& sets) {
   std::vector<SetAggregates> aggregates;
   std::vector<std::vector<Figure>> figures;
   Outputs outputs;
   for (const ResultSet& set : sets) {
-    aggregates.push_back({set.name, aggregate(set.results)});
+    const std::vector<PolygonResult> scaled = of_thesis_weight(set.results);
+    aggregates.push_back({set.name, aggregate(scaled)});
     figures.push_back(make_figures(aggregates.back()));
-    outputs.claims.push_back({set.name, make_claims(set.results, aggregates.back().aggregates)});
+    outputs.claims.push_back({set.name, make_claims(scaled, aggregates.back().aggregates)});
     outputs.few_robots.push_back(few_robots(aggregates.back()));
     for (const PolygonResult& result : set.results) add_refused(result, outputs);
   }
