@@ -129,7 +129,7 @@ TEST_CASE("DXF: blocks within blocks, and their objects on layer 0", "[import][d
   const std::string blocks =
       block("*inner", polyline(square) + polyline({{0, 0}, {1, 0}, {0, 1}}, "own")) +
       block("*outer", insert("*inner", {{8, "0"}, {10, 10}, {50, 90}}) +
-                         insert("*inner", {{8, "lids"}, {41, -2}}));
+                          insert("*inner", {{8, "lids"}, {41, -2}}));
   const Import import = read(drawing(insert("*outer", {{8, "parts"}, {10, 100}, {41, 3}}), blocks));
   REQUIRE(import.shapes.size() == 4);
   const char* layers[] = {"parts", "own", "lids", "own"};
