@@ -76,7 +76,7 @@ LessonText read_lesson(const std::string& option, const std::string& given) {
   if (!polygon)
     throw Failure{bad_input_status, read.source,
                   "there is no sample polygon \"" + read.lesson.polygon + "\""};
-  Result<Document> sample = read_polygon(*polygon);
+  Result<Document> sample = read_thesis(*polygon);
   if (!sample) throw bad_input(read.lesson.polygon, sample.error());
   read.sample = *std::move(sample);
   return read;

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <limits>
 #include <string>
+#include <vector>
 #include <version>
 
 #include "evenlift/formats.h"
@@ -41,6 +43,17 @@ bool reads_as(const std::string& text, const Points& vertices) {
 }
 
 const Points triangle = {{0, 0}, {10, -2.5}, {3, 1e3}};
+
+// As WKT and GeoJSON give it back: without vertices at the place of the one before.
+Document without_repeated(Document document) {
+  std::vector<Points*> rings = {&document.vertices};
+  for (Points& hole : document.holes) rings.push_back(&hole);
+  for (Points* ring : rings) {
+    ring->erase(std::unique(ring->begin(), ring->end()), ring->end());
+    if (ring->size() > 1 && ring->front() == ring->back()) ring->pop_back();
+  }
+  return document;
+}
 
 std::string ring_of(std::size_t n, const char* open, const char* between, const char* close,
                     const char* separator) {
@@ -214,7 +227,13 @@ TEST_CASE("WKT reads in any case, with the first vertex again at the end or not"
   CHECK(reads_as("polygon((0 0,10 -2.5,3 1000))", triangle));
   CHECK(reads_as("\n Polygon\n(\t(\n0\n0 , 10   -2.5,\r\n3 1e3 ,0.0 -0 ) )\n", triangle));
   CHECK(read("POLYGON((1 1))").vertices == Points{{1, 1}});
-  CHECK(read("POLYGON((0 0,0 0,0 0))").vertices == Points{{0, 0}, {0, 0}});
+  // As everywhere in WKT and GeoJSON, a vertex at the place of the one before is left out, and so are
+  // further coordinates, a reference system and what follows the end.
+  CHECK(read("POLYGON((0 0,0 0,0 0))").vertices == Points{{0, 0}});
+  for (const char* text :
+       {"POLYGON Z ((0 0 7,10 -2.5 7,3 1000 7))", "SRID=4326;POLYGON((0 0,10 -2.5,3 1000));",
+        "MultiPolygon ZM (((0 0 1 2,10 -2.5 1 2,3 1000 1 2)))"})
+    CHECK(reads_as(text, triangle));
 }
 
 TEST_CASE("GeoJSON reads as a Polygon or a Feature of one, members in any order", "[formats]") {
@@ -487,10 +506,11 @@ TEST_CASE("what is written reads back in every bit", "[formats][holes][cargo]") 
     }
     if (document.vertices.empty()) continue;
     const Document back = read(write_thesis(document));
+    Document plain = without_repeated(document);
     const bool same = same_polygon(back, document) && back.settings == document.settings &&
-                      same_polygon(read(write_geojson(document)), document);
-    document.centre_of_mass.reset();
-    if (!same || !same_polygon(read(write_wkt(document)), document)) FAIL(write_thesis(document));
+                      same_polygon(read(write_geojson(document)), plain);
+    plain.centre_of_mass.reset();
+    if (!same || !same_polygon(read(write_wkt(document)), plain)) FAIL(write_thesis(document));
   }
 }
 
@@ -534,11 +554,12 @@ TEST_CASE("any bytes give a document of finite numbers or one sentence", "[forma
       ++documents;
       for (const Vec2& vertex : document->vertices) REQUIRE(is_finite(vertex));
       if (document->centre_of_mass) REQUIRE(is_finite(*document->centre_of_mass));
-      REQUIRE(same_polygon(read(write_geojson(*document)), *document));
+      REQUIRE(same_polygon(read(write_geojson(*document)), without_repeated(*document)));
       const Document again = read(write_thesis(*document));
       REQUIRE((same_polygon(again, *document) && again.settings == document->settings));
     } else if (!evenlift::testing::is_one_sentence(document.error().message) ||
-               document.error().place.kind != Place::Kind::line) {
+               (document.error().place.kind != Place::Kind::line &&
+                document.error().code != ErrorCode::unsupported)) {
       FAIL(text << ": " << document.error().message);
     }
   }

@@ -112,7 +112,10 @@ test("a chosen file", async () => {
     await chooser
   ).setFiles({ name: "plate.geojson", mimeType: "application/geo+json", buffer: Buffer.from(good.GeoJSON) });
   await isTriangle("chosen");
-  assert.match(await noticed(page), /“plate.geojson” is opened\. Undo/);
+  assert.match(
+    await noticed(page),
+    /“plate.geojson” is opened\. By the standard of GeoJSON its coordinates are degrees .* Undo/,
+  );
 });
 
 test("links, bare and whole, come with their settings", async () => {
@@ -327,7 +330,7 @@ test("all shapes of a file are a table with robots of their own, which sorts, op
   await parts.locator("tbody button").first().click();
   assert.match(await noticed(page), new RegExp(`^${name} of “sheet\\.dxf” is opened`));
   const opened = await state(page);
-  assert.ok(Math.abs(opened.weight - weights.at(-1)) < 1e-3 && opened.capacity.per_robot === 0.25);
+  assert.ok(Math.abs(opened.weight - weights.at(-1)) < 1e-3 && opened.capacity.limit === 0.25);
 
   // Later again, and nothing is computed any more once the window is closed.
   await (await openWindow(page, "open")).getByRole("button", { name: "All in a table" }).click();
@@ -454,7 +457,7 @@ test("what reads drawings is fetched when the first one is opened", async () => 
     other.evaluate(
       () => performance.getEntriesByType("resource").filter(({ name }) => name.includes("core.wasm")).length,
     );
-  await drop(other, { text: good.WKT });
+  await drop(other, { text: good.thesis });
   await idle(other);
   assert.equal((await state(other)).polygon.length, 3);
   assert.equal(await fetched(), 0);

@@ -16,12 +16,12 @@ namespace evenlift::view {
 
 std::vector<const Action*> key_list(bool embed) {
   std::vector<const Action*> list;
-  for (const Action& a : actions()) {
-    const bool left_out = embed && (a.group < Group::view || a.enabled == when::editing);
-    if (*a.shown && !left_out) list.push_back(&a);
-  }
-  std::stable_sort(list.begin(), list.end(),
-                   [](const Action* a, const Action* b) { return a->group < b->group; });
+  for (const Group group :
+       {Group::files, Group::editing, Group::teams, Group::view, Group::lesson, Group::help})
+    for (const Action& a : actions()) {
+      const bool left_out = embed && (a.group < Group::view || a.enabled == when::editing);
+      if (a.group == group && *a.shown && !left_out) list.push_back(&a);
+    }
   return list;
 }
 

@@ -24,7 +24,7 @@ struct Task {
 
 std::optional<Task> task_of(std::string_view text, std::string_view settings,
                             std::string_view robots) {
-  Result<Document> document = read_polygon(text);
+  Result<Document> document = read_thesis(text);
   if (!document || !read_lines(settings, *document)) return std::nullopt;
   document->settings.method = Method::balanced;
   const Result<PolygonWithHoles> object = object_of(*document);

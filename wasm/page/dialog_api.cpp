@@ -34,7 +34,7 @@ namespace evenlift::view {
 namespace {
 
 std::string open_with_these_settings(std::string_view text) {
-  Result<Document> read = read_polygon(text);
+  Result<Document> read = evenlift::read_polygon(text);
   if (!read) return sentence(read.error());
   Result<Opened> polygon = opened_after(std::move(read).value(), app().state.work.document());
   if (!polygon) return sentence(polygon.error());
@@ -106,7 +106,7 @@ std::pair<std::size_t, std::size_t> part_of(std::size_t size, int first, int cou
 using namespace evenlift::view;
 namespace json = evenlift::json;
 using evenlift::Document;
-using evenlift::read_polygon;
+using evenlift::read_thesis;
 using evenlift::Result;
 using evenlift::say;
 using evenlift::translated;
@@ -129,7 +129,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_sample(const char* text) {
 // For a small picture: {"centre": [x, y], "vertices": [[x, y], …]} and, if it has any, "holes",
 // each like the vertices. Empty if the text cannot be read.
 EMSCRIPTEN_KEEPALIVE const char* page_outline(const char* text) {
-  return hand_over(outline_of(read_polygon(text)));
+  return hand_over(outline_of(read_thesis(text)));
 }
 
 // The outline when the polygon was opened or drawn, before all later edits; empty if it was then

@@ -178,7 +178,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_without_step(const char* text) {
 // place. Other text, and a link with robots placed by hand, stay unchanged.
 EMSCRIPTEN_KEEPALIVE const char* page_as_challenge(const char* text, int robots) {
   Result<Document> document =
-      *text ? evenlift::decode_link(text) : evenlift::read_polygon(opening_sample());
+      *text ? evenlift::decode_link(text) : evenlift::read_thesis(opening_sample());
   if (!document || document->settings.method == Method::given || robots < 1) return hand_over(text);
   document->shown.step.reset();
   Result<Opened> object = opened(*document);

@@ -35,8 +35,8 @@ async function openText(page, text, what, { how = "page_load", name = "" } = {})
     if (!problem) done(page, what);
     return problem;
   }
-  // The program reads the simple formats itself.
-  if (!/^\s*<|\0/.test(text) && !page.program.text(how, text)) {
+  // The program reads its own formats and links itself; a worker reads the others, with notes.
+  if (/^\s*(\(|com\b|[^\s[{<]+\s*$)/i.test(text) && !page.program.text(how, text)) {
     nameOpened(page.program, name);
     return done(page, what);
   }

@@ -176,10 +176,14 @@ class Parts {
   #sort(column) {
     this.#back = this.#order === column && !this.#back;
     this.#order = column;
+    const rises = (column.ascends ?? false) !== this.#back;
     this.#columns.forEach((each, i) => {
-      const direction = (each.ascends ?? false) !== this.#back ? "ascending" : "descending";
-      if (each === column) this.head.children[i + 1].setAttribute("aria-sort", direction);
-      else this.head.children[i + 1].removeAttribute("aria-sort");
+      const cell = this.head.children[i + 1];
+      cell.querySelector("[aria-hidden]")?.remove();
+      cell.removeAttribute("aria-sort");
+      if (each !== column) return;
+      cell.setAttribute("aria-sort", rises ? "ascending" : "descending");
+      cell.firstChild.append(el("span", { "aria-hidden": "true" }, new Text(rises ? "↑" : "↓")));
     });
     this.#show(this.#shown);
   }

@@ -10,22 +10,19 @@
 
 namespace evenlift {
 
-// Reads a polygon from a text, whose content determines the format:
-//   thesis   the first line may be `CoM:(x,y)`, the centre of mass. A line `(x,y)` follows for each
-//            vertex of the outline. Each hole has a line `Hole:` and the lines of its vertices.
-//            Each item of cargo has a line `Cargo:(x,y) weight name`, in which the name may be
-//            missing. Blank lines and spaces are ignored, except for spaces within a name
-//   WKT      `POLYGON ((x y, ...), ...)` in upper or lower case, or a MULTIPOLYGON with one
-//            polygon. Rings after the first are holes. The last vertex of a ring is dropped if it
-//            equals the first
-//   GeoJSON  a `Polygon`, or a `Feature` whose geometry is a `Polygon` and which may have a
-//            property `centre_of_mass: [x, y]`. Rings are as in WKT. Other members are ignored; the
-//            members that are read may occur only once
-// The document has the default settings, except for the cargo. Other geometries and third
-// coordinates are errors. The place of an error in the text is a line and a column. The weights and
-// names of cargo are checked here, by the rules of document.h, but the geometry is checked only by
-// object_of() (polygon_with_holes.h). The limits are max_text_bytes, max_vertices for all rings
-// together, max_holes and max_cargo. O(bytes).
+// Reads the thesis's format: the first line may be `CoM:(x,y)`, the centre of mass. A line `(x,y)`
+// follows for each vertex of the outline. Each hole has a line `Hole:` and the lines of its vertices.
+// Each item of cargo has a line `Cargo:(x,y) weight name`, in which the name may be missing. Blank
+// lines and spaces are ignored, except for spaces within a name. The document has the default
+// settings, except for the cargo. The place of an error in the text is a line and a column. The
+// weights and names of cargo are checked here, by the rules of document.h, but the geometry is checked
+// only by object_of() (polygon_with_holes.h). The limits are max_text_bytes, max_vertices for all
+// rings together, max_holes and max_cargo. O(bytes).
+Result<Document> read_thesis(std::string_view text);
+
+// Reads the one polygon of a text in the thesis's format, WKT or GeoJSON. read_shapes() (import.h)
+// reads these in the same way, also several polygons and all other formats, and says what it leaves
+// out. O(bytes).
 Result<Document> read_polygon(std::string_view text);
 
 // Write the polygon with its holes as text that ends in a newline. A given centre of mass is

@@ -1,5 +1,5 @@
 // Imports polygons with holes from SVG, DXF, columns of numbers, WKT, JSON of several kinds, share
-// links, saved results, and the formats of formats.h. A text may contain many shapes.
+// links, saved results, and the thesis's format. A text may contain many shapes.
 #pragma once
 
 #include <cstddef>
@@ -65,8 +65,7 @@ struct Import {
 };
 
 // Reads a text. Its content determines the format:
-//   formats.h  all that read_polygon() reads. If the text begins like the thesis's format, errors
-//              are those of read_polygon()
+//   thesis     the thesis's format, by read_thesis() (formats.h)
 //   SVG        polygon, polyline, path, line, rect, circle and ellipse, also in a nested `svg` and
 //              in copies (`use`, `symbol`). Transforms (attribute or CSS) are applied; y is turned
 //              upwards. A filled path is one shape or several, and its fill-rule decides which of

@@ -9,6 +9,7 @@
 #include "evenlift/balanced.h"
 #include "evenlift/balanced_history.h"
 #include "evenlift/tolerance.h"
+#include "exact/sorted_indices.h"
 
 namespace evenlift::balanced {
 namespace {
@@ -169,9 +170,8 @@ bool settle(std::vector<Group>& groups, double near) {
     items.push_back({&group, sign, across, ahead});
   }
   // The steepest come first: they get the share 1 until the others, with -1, balance them.
-  std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
-    return a.ahead * b.across > b.ahead * a.across;
-  });
+  sort_items(items,
+             [](const Item& a, const Item& b) { return a.ahead * b.across > b.ahead * a.across; });
   double balance = -behind, reached = 0;
   std::vector<double> shares;
   for (const Item& item : items) {

@@ -2,6 +2,9 @@
 // each line. Lines for holes and cargo, which the thesis lacks, may follow.
 #include "evenlift/formats.h"
 
+#include <algorithm>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -24,7 +27,8 @@ std::optional<InputError> take_pair(TextCursor& cursor, const char* before, Vec2
   cursor.skip_spaces_in_line();
   if (auto error = cursor.take_number(point.y, "a number")) return error;
   cursor.skip_spaces_in_line();
-  if (cursor.sees(',')) return cursor.error(ErrorCode::unsupported, no_third_coordinate);
+  if (cursor.sees(','))
+    return cursor.error(ErrorCode::unsupported, "coordinates beyond x and y are not supported");
   if (!cursor.take(')')) return cursor.expected("')' after the coordinates");
   return std::nullopt;
 }
@@ -114,9 +118,12 @@ InputError out_of_place(const TextCursor& cursor, bool after_cargo) {
 }  // namespace
 
 Result<Document> read_thesis(std::string_view text) {
+  if (text.size() > max_text_bytes)
+    return InputError{ErrorCode::text_too_long, "the text is longer than 64 MiB", {}};
   Document document;
-  TextCursor cursor(text);
+  TextCursor cursor(without_byte_order_mark(text));
   cursor.skip_white_space();
+  if (cursor.at_end()) return cursor.error(ErrorCode::bad_syntax, "the text is empty");
   if (cursor.sees_letter()) {
     if (auto error = take_centre_of_mass(cursor, document)) return *std::move(error);
   }
@@ -197,28 +204,84 @@ void append_thesis_ring(std::string& text, const Points& ring) {
 
 }  // namespace
 
+std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
+void RingNotes::drop_repeated(Points& ring) {
+  const auto end = std::unique(ring.begin(), ring.end());
+  repeated += static_cast<std::size_t>(std::distance(end, ring.end()));
+  ring.erase(end, ring.end());
+}
+
+bool is_in_degrees(double code) {
+  static constexpr double codes[] = {4326, 4979, 4258, 4269, 4267, 4283, 4230, 4171, 4612, 4674};
+  return std::find(std::begin(codes), std::end(codes), code) != std::end(codes);
+}
+
 void drop_closing_vertex(Points& ring) {
   if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
 }
 
-Result<Document> read_polygon(std::string_view text) {
-  if (text.size() > max_text_bytes) {
-    return InputError{ErrorCode::text_too_long, "the text is longer than 64 MiB", {}};
+namespace {
+
+// Keeps the first shape, and the first problem.
+class OneShape final : public ShapeSink {
+ public:
+  void add(Document document, std::string_view, std::string_view) override {
+    if (count_++ > 0) return;
+    drop_closing_vertex(document.vertices);
+    for (Points& hole : document.holes) drop_closing_vertex(hole);
+    shape_ = std::move(document);
   }
-  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-  if (text.substr(0, byte_order_mark.size()) == byte_order_mark) {
-    text.remove_prefix(byte_order_mark.size());
+  void add_problem(InputError error) override {
+    if (!problem_) problem_ = std::move(error);
+  }
+  void leave_out(std::string_view, std::string_view) override {}
+  bool full() const override { return false; }
+  std::size_t most_holes() const override { return max_holes; }
+
+  Result<Document> finish(const char* format) {
+    if (count_ == 1) return check_size(std::move(shape_));
+    if (count_ > 1)
+      return InputError{ErrorCode::unsupported, say("it has {number} shapes", {count_}), {}};
+    if (problem_) return *std::move(problem_);
+    return InputError{ErrorCode::unsupported, say("this {format} has no polygon", {format}), {}};
   }
 
-  TextCursor cursor(text);
-  cursor.skip_white_space();
-  if (cursor.at_end()) return cursor.error(ErrorCode::bad_syntax, "the text is empty");
-  if (cursor.sees('{') || cursor.sees('[')) return read_geojson(text);
-  if (cursor.sees('(')) return read_thesis(text);
-  if (cursor.sees_letter()) {
-    return same_word(cursor.take_word(), "com") ? read_thesis(text) : read_wkt(text);
+ private:
+  static Result<Document> check_size(Document document) {
+    std::size_t vertices = document.vertices.size();
+    for (const Points& hole : document.holes) vertices += hole.size();
+    if (vertices > max_vertices)
+      return InputError{ErrorCode::too_many_vertices, no_more_vertices, {}};
+    return document;
   }
-  return cursor.expected("'(', 'CoM:', 'POLYGON' or '{'");
+
+  Document shape_;
+  std::size_t count_ = 0;
+  std::optional<InputError> problem_;
+};
+
+}  // namespace
+
+Result<Document> read_polygon(std::string_view text) {
+  const std::string_view plain = without_byte_order_mark(text);
+  TextCursor cursor(plain);
+  cursor.skip_white_space();
+  const bool is_json = cursor.sees('{') || cursor.sees('[');
+  if (text.size() > max_text_bytes || (!is_json && !begins_wkt(cursor))) return read_thesis(text);
+  OneShape shape;
+  RingNotes notes;
+  if (!is_json) {
+    if (auto wrong = WktReader(shape, notes).take_all(plain)) return *std::move(wrong);
+    return shape.finish("WKT");
+  }
+  const Result<JsonTree> tree = JsonTree::read(plain);
+  if (!tree) return tree.error();
+  GeojsonReader(plain, *tree, shape, notes).take_all();
+  return shape.finish("GeoJSON");
 }
 
 std::string write_thesis(const Document& document) {

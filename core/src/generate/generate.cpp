@@ -12,6 +12,7 @@
 #include "evenlift/angles.h"
 #include "evenlift/document.h"
 #include "evenlift/wording.h"
+#include "exact/sorted_indices.h"
 #include "generate/families.h"
 
 namespace evenlift::families {
@@ -65,7 +66,7 @@ void make_directions_distinct(std::vector<Vector>& vectors, std::int64_t reach, 
   for (bool repeats = true; repeats;) {
     repeats = false;
     // Equal directions are sorted by coordinates, so that the result does not depend on the sort.
-    std::sort(vectors.begin(), vectors.end(), [](const Vector& a, const Vector& b) {
+    sort_items(vectors, [](const Vector& a, const Vector& b) {
       if (!same_direction(a, b)) return before(a, b);
       return a.x != b.x ? a.x < b.x : a.y < b.y;
     });

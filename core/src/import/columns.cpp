@@ -509,7 +509,7 @@ void ColumnReader::add_notes() {
   notes_.are_degrees = named_ && named_->meaning == Column::longitude;
   if (notes_.are_degrees && named_->y < named_->x)
     gathering_.note("the latitude comes first here: x is the longitude, and y the latitude");
-  notes_.add_to(gathering_);
+  gathering_.add_notes(notes_);
   if (gathering_.import.shapes.size() > 1 && shapes_.empty())
     gathering_.note("blank lines separate the shapes");
 }

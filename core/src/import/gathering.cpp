@@ -35,24 +35,18 @@ std::string degrees_note(std::string_view note, const Box& box) {
 
 }  // namespace
 
-void RingNotes::drop_repeated(Points& ring) {
-  const auto end = std::unique(ring.begin(), ring.end());
-  repeated += static_cast<std::size_t>(std::distance(end, ring.end()));
-  ring.erase(end, ring.end());
-}
-
-void RingNotes::add_to(Gathering& gathering) const {
-  if (heights > 0) gathering.note("coordinates beyond x and y were left out");
-  if (repeated > 0)
-    gathering.note(say(repeated == 1
-                           ? "{count} vertex at the place of the one before it was left out"
-                           : "{count} vertices at the place of the one before them were left out",
-                       {repeated}));
-  if (!are_degrees || gathering.import.shapes.empty()) return;
-  const Box box = box_of(gathering.import.shapes);
-  if (!can_be_degrees(box) || gathering.projects()) return;
-  gathering.import.in_degrees = true;
-  gathering.note(degrees_note(in_degrees, box));
+void Gathering::add_notes(const RingNotes& notes) {
+  if (notes.heights > 0) note("coordinates beyond x and y were left out");
+  if (notes.repeated > 0)
+    note(say(notes.repeated == 1
+                 ? "{count} vertex at the place of the one before it was left out"
+                 : "{count} vertices at the place of the one before them were left out",
+             {notes.repeated}));
+  if (!notes.are_degrees || import.shapes.empty()) return;
+  const Box box = box_of(import.shapes);
+  if (!can_be_degrees(box) || options_.project) return;
+  import.in_degrees = true;
+  note(degrees_note(notes.in_degrees, box));
 }
 
 Box box_of(const std::vector<ImportedShape>& shapes) {
@@ -64,11 +58,6 @@ Box box_of(const std::vector<ImportedShape>& shapes) {
     corners.push_back(box.high);
   }
   return bounding_box(corners);
-}
-
-bool is_in_degrees(double code) {
-  static constexpr double codes[] = {4326, 4979, 4258, 4269, 4267, 4283, 4230, 4171, 4612, 4674};
-  return std::find(std::begin(codes), std::end(codes), code) != std::end(codes);
 }
 
 namespace {

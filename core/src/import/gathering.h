@@ -12,6 +12,7 @@
 #include "curves/outline.h"
 #include "evenlift/document.h"
 #include "evenlift/import.h"
+#include "formats/readers.h"
 #include "import/joining/joining.h"
 
 namespace evenlift {
@@ -62,7 +63,7 @@ struct DrawnShape {
   std::size_t copy = 0;  // of Gathering::add_copy()
 };
 
-class Gathering {
+class Gathering final : public ShapeSink {
  public:
   explicit Gathering(const ImportOptions& options) : options_(options) {}
 
@@ -80,11 +81,11 @@ class Gathering {
   void add_joined(const std::vector<DrawnPiece>& pieces, bool closes_alone);
   // A clause that names the two nearest of the ends that stayed open; empty if they are unknown.
   const std::string& gap() const { return gap_; }
-  // Adds a shape with the document's vertices and holes. If the last vertex of a ring equals the
-  // first, it is dropped.
-  void add(Document document, std::string_view name, std::string_view kind);
-  // Counts a shape that is left out because of this error.
-  void add_problem(InputError error);
+  void add(Document document, std::string_view name, std::string_view kind) override;
+  void add_problem(InputError error) override;
+  void leave_out(std::string_view one, std::string_view many) override {
+    left_out.add(clean_name(one), clean_name(many));
+  }
   // A text of a drawing, which was counted in left_out as `kind`: it may name the part at its place.
   void add_text(const Vec2& at, std::string_view words, std::string_view kind);
   // Copies of a block of a drawing: the block's number, by its name, and that of a further copy of it,
@@ -92,13 +93,13 @@ class Gathering {
   // its block.
   std::size_t add_block(const std::string& name);
   std::size_t add_copy(std::size_t block);
-  // Whether the limit of shapes or vertices is reached, so that a reader may stop.
-  bool full() const { return full_.has_value(); }
-  // The greatest number of holes that a shape keeps. If holes are left out later, it is
-  // max_vertices, in effect no limit.
-  std::size_t most_holes() const { return options_.holes ? max_holes : max_vertices; }
+  bool full() const override { return full_.has_value(); }
+  // If holes are left out later, there is in effect no limit.
+  std::size_t most_holes() const override { return options_.holes ? max_holes : max_vertices; }
   // Whether degrees are converted to metres after reading, so that they need no note.
   bool projects() const { return options_.project; }
+  // Adds the notes about rings; the import must already have all its shapes. O(vertices).
+  void add_notes(const RingNotes& notes);
   // Adds the sentence to the notes, translated, unless there are already 20.
   void note(std::string_view sentence);
 
@@ -145,29 +146,7 @@ class Gathering {
   std::optional<InputError> first_problem_, full_;
 };
 
-// --- Counts the vertices and heights that readers leave out of rings, and writes notes about these and
-// about coordinates in degrees. The readers of WKT, GeoJSON, other JSON, Python and tables use
-// RingNotes.
-
-struct RingNotes {
-  std::size_t repeated = 0;  // vertices at the place of the preceding one
-  std::size_t heights = 0;   // positions with coordinates beyond x and y
-  bool are_degrees = false;  // the text says that its coordinates are degrees
-  // The note about degrees.
-  std::string_view in_degrees =
-      "the coordinates are degrees of longitude and latitude, not lengths";
-
-  // Drops and counts vertices equal to the one before, but not a last one equal to the first. O(n).
-  void drop_repeated(Points& ring);
-  // Adds the notes to the import, which must already have all its shapes. O(vertices).
-  void add_to(Gathering& gathering) const;
-};
-
 // The box around all vertices. O(vertices).
 Box box_of(const std::vector<ImportedShape>& shapes);
-
-// Whether the reference system with this EPSG code has coordinates in degrees. The function knows
-// only WGS 84 and the other such systems that are most common in files. O(1).
-bool is_in_degrees(double code);
 
 }  // namespace evenlift

@@ -35,7 +35,7 @@ Result<Import> read_link(std::string_view text) {
 }
 
 Result<Import> read_small(std::string_view text, const char* format) {
-  Result<Document> document = read_polygon(text);
+  Result<Document> document = read_thesis(text);
   if (!document) return document.error();
   Import import;
   import.format = format;
@@ -172,9 +172,7 @@ Result<Import> read_shapes(std::string_view text, const ImportOptions& options) 
                       {}};
   if (text.size() > max_text_bytes)
     return InputError{ErrorCode::text_too_long, "the text is longer than 64 MiB", {}};
-  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-  if (text.substr(0, byte_order_mark.size()) == byte_order_mark)
-    text.remove_prefix(byte_order_mark.size());
+  text = without_byte_order_mark(text);
   if (const char* refusal = refusal_of_other_kind(text))
     return InputError{ErrorCode::unsupported, refusal, {}};
   const std::optional<std::string> collection = collected(text);

@@ -1,4 +1,4 @@
-// GeoJSON of any kind (RFC 7946), Esri's JSON, arrays of points, and evenlift's own results.
+// JSON: GeoJSON, Esri's, arrays of points, and evenlift's own results.
 #include <cmath>
 #include <vector>
 
@@ -25,7 +25,7 @@ using Index = JsonTree::Index;
 class JsonShapes {
  public:
   JsonShapes(std::string_view text, const JsonTree& tree, const ImportOptions& options)
-      : text_(text), tree_(tree), gathering_(options) {}
+      : text_(text), tree_(tree), gathering_(options), geojson_(text, tree, gathering_, notes_) {}
 
   Result<Import> read();
 
@@ -36,7 +36,6 @@ class JsonShapes {
   bool is(std::optional<Index> at, Kind kind) const { return at && tree_.kind(*at) == kind; }
 
   Result<Import> result_of_evenlift();
-  std::optional<InputError> take_hole(Index ring, Document& document);
 
   void arrays(Index array, std::string_view name);
   // Such as {"x": 1, "y": 2} or {"lon": 1, "lat": 2}.
@@ -49,13 +48,6 @@ class JsonShapes {
   Result<Points> points(Index array);
   Result<Vec2> point(Index at);
 
-  void geojson(Index object, std::string_view name, const Document& of);
-  void feature(Index object);
-  void geometry(Index object, std::string_view name, const Document& of);
-  void polygon(Index rings, std::string_view name, const Document& of);
-  std::optional<std::string> name_in(Index object, std::string_view member) const;
-  std::string name_of(Index feature, std::string_view table) const;
-  bool is_geojson_in_degrees() const;
   bool is_esri(Index object) const;
   bool is_esri_geometry(Index object) const;
   void esri_rings(Index rings, std::string_view name);
@@ -71,7 +63,7 @@ class JsonShapes {
   const JsonTree& tree_;
   Gathering gathering_;
   RingNotes notes_;
-  bool of_evenlift_ = false;  // a feature has "centre_of_mass", which only evenlift writes
+  GeojsonReader geojson_;
 };
 
 // --- evenlift's own results
@@ -85,16 +77,6 @@ Result<Import> JsonShapes::result_of_evenlift() {
   gathering_.add(*std::move(document), "", "polygon");
   for (const std::string& notice : reader.notices()) gathering_.import.notes.push_back(notice);
   return gathering_.finish(error(0, ErrorCode::too_few_vertices, no_vertices));
-}
-
-std::optional<InputError> JsonShapes::take_hole(Index ring, Document& document) {
-  if (document.holes.size() == gathering_.most_holes())
-    return error(ring, ErrorCode::too_many_vertices, no_more_holes);
-  Result<Points> hole = points(ring);
-  if (!hole) return hole.error();
-  if (hole->empty()) return error(ring, ErrorCode::too_few_vertices, no_vertices_of_hole);
-  document.holes.push_back(std::move(hole).value());
-  return std::nullopt;
 }
 
 // --- Points
@@ -131,17 +113,7 @@ Result<Vec2> JsonShapes::point(Index at) {
     if (members->are_degrees) notes_.are_degrees = true;
     return Vec2(tree_.number(members->x), tree_.number(members->y));
   }
-  if (tree_.kind(at) != Kind::array) return refused();
-  double values[2] = {0, 0};
-  std::size_t count = 0;
-  for (Index i = tree_.first(at); i != tree_.end(at); i = tree_.next(i)) {
-    if (tree_.kind(i) != Kind::number) return refused();
-    if (count < 2) values[count] = tree_.number(i);
-    ++count;
-  }
-  if (count < 2) return refused();
-  if (count > 2) ++notes_.heights;
-  return Vec2(values[0], values[1]);
+  return geojson_.position(at);
 }
 
 Result<Points> JsonShapes::points(Index array) {
@@ -174,7 +146,7 @@ void JsonShapes::arrays(Index array, std::string_view name) {
     if (tree_.kind(i) == Kind::array)
       arrays(i, name);
     else if (tree_.kind(i) == Kind::object && tree_.member(i, "type"))
-      geojson(i, name, {});
+      geojson_.take(i, name);
     else if (tree_.kind(i) == Kind::object && is_esri(i))
       esri(i);
     else
@@ -183,123 +155,6 @@ void JsonShapes::arrays(Index array, std::string_view name) {
 }
 
 // --- GeoJSON
-
-// Capitals do not matter in names.
-std::optional<std::string> JsonShapes::name_in(Index object, std::string_view member) const {
-  for (Index i = tree_.first(object); i != tree_.end(object); i = tree_.next(i)) {
-    if (!same_word(tree_.name(i), member)) continue;
-    if (tree_.kind(i) == Kind::string) return std::string(tree_.text(i));
-    if (tree_.kind(i) == Kind::number) return shortest(tree_.number(i));
-  }
-  return std::nullopt;
-}
-
-std::string JsonShapes::name_of(Index feature, std::string_view table) const {
-  const auto properties = tree_.member(feature, table);
-  for (const char* name : {"name", "title", "id", "objectid", "fid"}) {
-    std::optional<std::string> found;
-    if (is(properties, Kind::object)) found = name_in(*properties, name);
-    if (!found && std::string_view(name) == "id") found = name_in(feature, name);
-    if (found) return *std::move(found);
-  }
-  return "";
-}
-
-void JsonShapes::polygon(Index rings, std::string_view name, const Document& of) {
-  if (tree_.kind(rings) != Kind::array)
-    return gathering_.add_problem(
-        error(rings, ErrorCode::bad_syntax, "expected an array of rings of positions [x, y]"));
-  const Index first = tree_.first(rings);
-  if (first == tree_.end(rings))
-    return gathering_.add_problem(error(rings, ErrorCode::too_few_vertices, no_vertices));
-  Result<Points> ring = points(first);
-  if (!ring) return gathering_.add_problem(ring.error());
-  Document document = of;
-  document.vertices = std::move(ring).value();
-  for (Index i = tree_.next(first); i != tree_.end(rings); i = tree_.next(i))
-    if (auto wrong = take_hole(i, document)) return gathering_.add_problem(*std::move(wrong));
-  notes_.drop_repeated(document.vertices);
-  for (Points& hole : document.holes) notes_.drop_repeated(hole);
-  gathering_.add(std::move(document), name, "polygon");
-}
-
-void JsonShapes::geometry(Index object, std::string_view name, const Document& of) {
-  const auto type = tree_.member(object, "type");
-  const auto coordinates = tree_.member(object, "coordinates");
-  if (!is(type, Kind::string))
-    return gathering_.add_problem(
-        error(object, ErrorCode::bad_syntax, "the geometry has no \"type\""));
-  const std::string_view kind = tree_.text(*type);
-  if (kind == "Polygon" || kind == "MultiPolygon") {
-    if (!coordinates)
-      return gathering_.add_problem(
-          error(*type, ErrorCode::bad_syntax, say("the {kind} has no \"coordinates\"", {kind})));
-    if (kind == "Polygon" || !is(coordinates, Kind::array)) return polygon(*coordinates, name, of);
-    for (Index i = tree_.first(*coordinates); i != tree_.end(*coordinates); i = tree_.next(i))
-      polygon(i, name, of);
-  } else if (kind == "GeometryCollection") {
-    const auto all = tree_.member(object, "geometries");
-    if (!is(all, Kind::array))
-      return gathering_.add_problem(
-          error(*type, ErrorCode::bad_syntax, "the GeometryCollection has no \"geometries\""));
-    for (Index i = tree_.first(*all); i != tree_.end(*all); i = tree_.next(i))
-      geometry(i, name, of);
-  } else {
-    const std::string clean = clean_name(kind);
-    gathering_.left_out.add(clean, clean + "s");
-  }
-}
-
-void JsonShapes::feature(Index object) {
-  Document with_centre;
-  const auto properties = tree_.member(object, "properties");
-  const auto centre =
-      is(properties, Kind::object) ? tree_.member(*properties, "centre_of_mass") : std::nullopt;
-  if (centre && !is(centre, Kind::null)) {
-    const Result<Vec2> at = point(*centre);
-    if (!at)
-      return gathering_.add_problem(
-          error(*centre, ErrorCode::bad_syntax, "\"centre_of_mass\" is not [x, y]"));
-    with_centre.centre_of_mass = *at;
-  }
-  if (centre) of_evenlift_ = true;
-  const auto shape = tree_.member(object, "geometry");
-  if (!is(shape, Kind::object))
-    return gathering_.left_out.add("feature without a geometry", "features without a geometry");
-  geometry(*shape, name_of(object, "properties"), with_centre);
-}
-
-void JsonShapes::geojson(Index object, std::string_view name, const Document& of) {
-  if (gathering_.full()) return;
-  const auto type = tree_.member(object, "type");
-  if (tree_.is_string(type, "FeatureCollection")) {
-    const auto features = tree_.member(object, "features");
-    if (!is(features, Kind::array))
-      return gathering_.add_problem(
-          error(*type, ErrorCode::bad_syntax, "the FeatureCollection has no \"features\""));
-    for (Index i = tree_.first(*features); i != tree_.end(*features); i = tree_.next(i))
-      geojson(i, "", {});
-  } else if (tree_.is_string(type, "Feature")) {
-    feature(object);
-  } else {
-    geometry(object, name, of);
-  }
-}
-
-// By the standard the coordinates are degrees, unless the text names another reference system, as
-// older GeoJSON does.
-bool JsonShapes::is_geojson_in_degrees() const {
-  const auto system = tree_.member(0, "crs");
-  if (of_evenlift_) return false;
-  if (!is(system, Kind::object)) return true;
-  const auto properties = tree_.member(*system, "properties");
-  const auto name = is(properties, Kind::object) ? tree_.member(*properties, "name") : std::nullopt;
-  if (!is(name, Kind::string)) return false;
-  const std::string_view text = tree_.text(*name);
-  const std::size_t colon = text.rfind(':');
-  const std::string_view code = colon == std::string_view::npos ? text : text.substr(colon + 1);
-  return code == "CRS84" || is_in_degrees(read_number(code).value_or(0));
-}
 
 // --- Esri's JSON
 
@@ -357,7 +212,7 @@ void JsonShapes::esri(Index object) {
   const Index shape = is(inner, Kind::object) ? *inner : object;
   if (shape != object) take_esri_system(shape);
   if (const auto rings = tree_.member(shape, "rings"))
-    return esri_rings(*rings, name_of(object, "attributes"));
+    return esri_rings(*rings, geojson_.name_of(object, "attributes"));
   if (tree_.member(shape, "curveRings"))
     return gathering_.left_out.add("polygon with curves", "polygons with curves");
   if (tree_.member(shape, "paths")) return gathering_.left_out.add("line", "lines");
@@ -397,7 +252,7 @@ bool JsonShapes::lists_robots(Index array) const {
 }
 
 Result<Import> JsonShapes::finish(const char* format) {
-  notes_.add_to(gathering_);
+  gathering_.add_notes(notes_);
   const std::string found = gathering_.left_out.list();
   return gathering_.finish(
       {ErrorCode::unsupported,
@@ -411,7 +266,7 @@ Result<Import> JsonShapes::read_array() {
     return InputError{ErrorCode::unsupported, robots_are_no_polygon, {}};
   gathering_.import.format = "points in JSON";
   arrays(tree_.root(), "");
-  notes_.add_to(gathering_);
+  gathering_.add_notes(notes_);
   return gathering_.finish({ErrorCode::bad_syntax, "this JSON has no list of points [x, y]", {}});
 }
 
@@ -440,7 +295,7 @@ Result<Import> JsonShapes::read() {
   if (!tree_.member(0, "type")) {
     if (read_esri()) return finish("Esri JSON");
     read_members();
-    notes_.add_to(gathering_);
+    gathering_.add_notes(notes_);
     return gathering_.finish(
         {ErrorCode::bad_syntax,
          "this JSON is neither GeoJSON (it has no \"type\") nor a result that evenlift "
@@ -448,13 +303,7 @@ Result<Import> JsonShapes::read() {
          {}});
   }
   gathering_.import.format = "GeoJSON";
-  geojson(0, "", {});
-  if (is_geojson_in_degrees()) {
-    notes_.are_degrees = true;
-    notes_.in_degrees =
-        "by the standard of GeoJSON its coordinates are degrees of longitude and latitude, not "
-        "lengths";
-  }
+  geojson_.take_all();
   return finish("GeoJSON");
 }
 

@@ -1,12 +1,10 @@
 #include "import/wkt_shapes.h"
 
 #include <algorithm>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "evenlift/numbers.h"
 #include "evenlift/wording.h"
 #include "formats/readers.h"
 #include "import/gathering.h"
@@ -16,48 +14,15 @@
 namespace evenlift {
 namespace {
 
-constexpr int deepest_collection = 32;
 constexpr std::size_t first_lines_of_table = 100;  // one of them has a geometry
 
-constexpr std::string_view read_names[] = {"polygon", "multipolygon", "geometrycollection"};
-
-// Without Z, M or ZM at the end.
-std::string_view without_dimensions(std::string_view word) {
-  for (const std::string_view name : read_names)
-    if (same_word(word.substr(0, name.size()), name) &&
-        (word.size() == name.size() || names_wkt_dimensions(word.substr(name.size()))))
-      return word.substr(0, name.size());
-  for (const std::size_t end : {std::size_t{2}, std::size_t{1}})
-    if (word.size() > end && names_wkt_dimensions(word.substr(word.size() - end)) &&
-        names_other_geometry(word.substr(0, word.size() - end)))
-      return word.substr(0, word.size() - end);
-  return word;
-}
-
-bool names_geometry(std::string_view name) {
-  return names_other_geometry(name) || same_word(name, read_names[0]);
-}
-
-// "Point", as in GeoJSON.
-std::string title_of(std::string_view word) {
-  std::string title;
-  for (const char c : word) title += lower_case(c);
-  if (!title.empty() && title[0] >= 'a') title[0] = static_cast<char>(title[0] - 'a' + 'A');
-  return title;
+void add_notes(const RingNotes& notes, const WktReader& reader, Gathering& gathering) {
+  gathering.add_notes(notes);
+  if (!reader.system().empty() && !notes.are_degrees)
+    gathering.note(say("the reference system (SRID {number}) was left out", {reader.system()}));
 }
 
 }  // namespace
-
-bool begins_wkt(TextCursor cursor) {
-  const std::string_view name = cursor.take_word();
-  cursor.skip_white_space();
-  if (same_word(name, "srid")) return cursor.sees('=');
-  if (!same_word(name.substr(0, 7), "polygon") && !names_geometry(without_dimensions(name)))
-    return false;
-  const std::string_view second = cursor.take_word();
-  cursor.skip_white_space();
-  return cursor.sees('(') || same_word(second, "empty") || same_word(cursor.word(), "empty");
-}
 
 std::optional<GeometryCell> find_geometry(std::string_view line) {
   for (std::size_t at = 0; at < line.size(); ++at) {
@@ -78,113 +43,13 @@ std::optional<GeometryCell> find_geometry(std::string_view line) {
   return std::nullopt;
 }
 
-std::optional<InputError> WktReader::take_reference_system(TextCursor& cursor) {
-  if (!same_word(cursor.word(), "srid")) return std::nullopt;
-  cursor.take_word();
-  cursor.skip_white_space();
-  if (!cursor.take('=')) return cursor.expected("'=' after 'SRID'");
-  cursor.skip_white_space();
-  double code = 0;
-  if (auto error = cursor.take_number(code, "the number of a reference system")) return error;
-  cursor.skip_white_space();
-  if (!cursor.take(';')) return cursor.expected("';' after the reference system");
-  cursor.skip_white_space();
-  if (system_.empty()) system_ = shortest(code);
-  if (is_in_degrees(code)) notes_.are_degrees = true;
-  return std::nullopt;
-}
-
-std::optional<InputError> WktReader::skip_parentheses(TextCursor& cursor) const {
-  if (!cursor.sees('(')) return cursor.expected("'(' after the name of the geometry");
-  std::size_t depth = 0;
-  do {
-    if (cursor.at_end()) return cursor.expected("')' after the coordinates");
-    const char c = text_[cursor.offset()];
-    if (c == '(') ++depth;
-    if (c == ')') --depth;
-    cursor.take(c);
-  } while (depth > 0);
-  return std::nullopt;
-}
-
-std::optional<InputError> WktReader::take_polygon(TextCursor& cursor, std::string_view name) {
-  Document document;
-  if (auto error = take_wkt_polygon(cursor, document, gathering_.most_holes(), &notes_.heights))
-    return error;
-  notes_.drop_repeated(document.vertices);
-  for (Points& hole : document.holes) notes_.drop_repeated(hole);
-  gathering_.add(std::move(document), name, "polygon");
-  return std::nullopt;
-}
-
-std::optional<InputError> WktReader::take_geometry(TextCursor& cursor, std::string_view name,
-                                                   int depth) {
-  if (depth > deepest_collection)
-    return cursor.error(ErrorCode::unsupported, "the collections are nested too deep");
-  const std::size_t start = cursor.offset();
-  const std::string_view kind = without_dimensions(cursor.take_word());
-  if (!names_geometry(kind))
-    return cursor.error_at(start, ErrorCode::bad_syntax,
-                           "expected 'POLYGON' or another geometry of WKT here");
-  cursor.skip_white_space();
-  if (names_wkt_dimensions(cursor.word())) cursor.take_word();
-  cursor.skip_white_space();
-  const std::size_t second = cursor.offset();
-  const bool single = same_word(kind, "polygon");
-  if (same_word(cursor.word(), "empty")) {
-    cursor.take_word();
-    if (single)
-      gathering_.add_problem(cursor.error_at(second, ErrorCode::too_few_vertices, no_vertices));
-    return std::nullopt;
-  }
-  if (cursor.sees_letter())
-    return cursor.error_at(second, ErrorCode::bad_syntax,
-                           "expected '(' after the name of the geometry but found a word");
-  if (single) return take_polygon(cursor, name);
-  const bool collection = same_word(kind, "geometrycollection");
-  if (!collection && !same_word(kind, "multipolygon")) {
-    const std::string title = title_of(kind);
-    gathering_.left_out.add(title, title + "s");
-    return skip_parentheses(cursor);
-  }
-  if (!cursor.take('(')) return cursor.expected("'(' after the name of the geometry");
-  do {
-    cursor.skip_white_space();
-    auto error = collection ? take_geometry(cursor, name, depth + 1) : take_polygon(cursor, name);
-    if (error) return error;
-    cursor.skip_white_space();
-  } while (cursor.take(','));
-  if (!cursor.take(')')) return cursor.expected("',' or ')' after the polygon");
-  return std::nullopt;
-}
-
-std::optional<InputError> WktReader::take(std::string_view text, TextCursor& cursor,
-                                          std::string_view name) {
-  text_ = text;
-  cursor.skip_white_space();
-  if (auto error = take_reference_system(cursor)) return error;
-  return take_geometry(cursor, name, 0);
-}
-
-void WktReader::finish() {
-  notes_.add_to(gathering_);
-  if (!system_.empty() && !notes_.are_degrees)
-    gathering_.note(say("the reference system (SRID {number}) was left out", {system_}));
-}
-
 Result<Import> read_wkt_shapes(std::string_view text, const ImportOptions& options) {
   Gathering gathering(options);
   gathering.import.format = "WKT";
-  WktReader reader(gathering);
-  TextCursor cursor(text);
-  do {
-    if (auto error = reader.take(text, cursor, "")) return *std::move(error);
-    cursor.skip_white_space();
-    if (cursor.take(';')) cursor.skip_white_space();
-    if (!cursor.at_end() && !cursor.sees_letter())
-      return cursor.expected("the end of the text after the polygon");
-  } while (!cursor.at_end() && !gathering.full());
-  reader.finish();
+  RingNotes notes;
+  WktReader reader(gathering, notes);
+  if (auto error = reader.take_all(text)) return *std::move(error);
+  add_notes(notes, reader, gathering);
   const std::string found = gathering.left_out.list();
   return gathering.finish({ErrorCode::unsupported,
                            found.empty()
@@ -200,7 +65,7 @@ namespace {
 class WktTable {
  public:
   WktTable(std::string_view text, const ImportOptions& options)
-      : text_(text), gathering_(options), reader_(gathering_) {}
+      : text_(text), gathering_(options), reader_(gathering_, notes_) {}
 
   Result<Import> read();
 
@@ -211,6 +76,7 @@ class WktTable {
 
   std::string_view text_;
   Gathering gathering_;
+  RingNotes notes_;
   WktReader reader_;
   char separator_ = ',';
   std::optional<std::size_t> name_;  // the column
@@ -270,7 +136,7 @@ Result<Import> WktTable::read() {
       gathering_.left_out.add("line without a geometry", "lines without a geometry");
     has_rows = has_rows || cell;
   }
-  reader_.finish();
+  add_notes(notes_, reader_, gathering_);
   const std::string found = gathering_.left_out.list();
   return gathering_.finish({ErrorCode::unsupported,
                             found.empty()
@@ -397,7 +263,7 @@ Result<Import> PythonPoints::read() {
   if (!levels_.empty() && levels_.back().closes != '\0')
     return cursor_.expected(std::string("'") + levels_.back().closes + "'");
   if (!levels_.empty()) add_shape(std::move(levels_.back().points));
-  notes_.add_to(gathering_);
+  gathering_.add_notes(notes_);
   return gathering_.finish({ErrorCode::bad_syntax, "this list has no points (x, y)", {}});
 }
 

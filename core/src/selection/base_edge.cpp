@@ -286,7 +286,7 @@ Surroundings::Surroundings(const PolygonWithHoles& object, const Vec2& centre)
     if (v != centre) vertices.push_back({relative, pseudo_angle(relative)});
   }
   if (!polygon.counter_clockwise()) std::reverse(boundary.begin(), boundary.end());
-  std::sort(vertices.begin(), vertices.end(), [](const Seen& a, const Seen& b) {
+  sort_items(vertices, [](const Seen& a, const Seen& b) {
     if (a.pseudo_angle != b.pseudo_angle) return a.pseudo_angle < b.pseudo_angle;
     if (a.position.x != b.position.x) return a.position.x < b.position.x;
     return a.position.y < b.position.y;

@@ -10,6 +10,7 @@
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 #include "exact/pseudo_angle.h"
+#include "exact/sorted_indices.h"
 #include "polygon/corners.h"
 
 namespace evenlift {
@@ -132,7 +133,7 @@ std::optional<std::vector<GrowingBase::Corner>> GrowingBase::add_locally(const A
     undo = put(added.position, *gap);
   }
   std::erase_if(starts, [&](Corner corner) { return !has(corner); });
-  std::sort(starts.begin(), starts.end(), [&](Corner a, Corner b) {
+  sort_indices(starts, [&](Corner a, Corner b) {
     if (a == first_ || b == first_) return a == first_ && b != first_;
     return orient(position(first_), position(a), position(b)) > 0;
   });

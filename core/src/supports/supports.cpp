@@ -14,6 +14,7 @@
 #include "evenlift/settings.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
+#include "exact/sorted_indices.h"
 #include "numbers/number_text.h"
 #include "polygon/corners.h"
 
@@ -234,9 +235,8 @@ std::vector<Vec2> middles(const Vec2& wanted) {
   std::vector<Vec2> all = {wanted};
   for (int x = -3; x <= 3; ++x)
     for (int y = -3; y <= 3; ++y) all.push_back(Vec2(0.3 * x, 0.3 * y));
-  std::stable_sort(all.begin(), all.end(), [&](const Vec2& a, const Vec2& b) {
-    return length(a - wanted) < length(b - wanted);
-  });
+  sort_items(all,
+             [&](const Vec2& a, const Vec2& b) { return length(a - wanted) < length(b - wanted); });
   return all;
 }
 
