@@ -84,7 +84,7 @@ export interface Settings {
   com_height?: number | null;
   /** Greatest slope of the plane of the lifting points: a ratio, 8% or 4.6deg. */
   slope?: number | string | null;
-  /** Greatest acceleration along the ground in any direction, in g. */
+  /** Greatest acceleration along the ground in any direction, in g or such as 2m/s2. */
   acceleration?: number | null;
   /** Length by which a robot gives way under the mean load. */
   give?: number | "none" | null;
@@ -585,7 +585,7 @@ export interface Placement {
   com_height?: number;
   /** Greatest slope of the plane of the lifting points: a ratio, 8% or 4.6deg; only if it is set. */
   slope?: number;
-  /** Greatest acceleration along the ground in any direction, in g; only if it is set. */
+  /** Greatest acceleration along the ground in any direction, in g or such as 2m/s2; only if it is set. */
   acceleration?: number;
   /** Length by which a robot gives way under the mean load; only if it is set. */
   give?: number;

@@ -102,11 +102,27 @@ TEST_CASE("slopes are ratios, percentages or angles", "[tilt][settings]") {
   CHECK(read("45deg") == 1.0);
   CHECK(read("4.6deg").value() == Approx(std::tan(4.6 * pi / 180)).epsilon(1e-14));
   CHECK(read("0deg") == 0.0);
+  CHECK(read("8 %") == 0.08);
+  CHECK(read("45 deg") == 1.0);
+  CHECK(read("45\u00B0") == 1.0);
   for (const char* wrong :
-       {"8", "101%", "45.1deg", "90deg", "-1%", "-1deg", "%", "deg", "8 %", "x"})
+       {"8", "101%", "45.1deg", "90deg", "-1%", "-1deg", "%", "deg", " 8%", "8 % ", "x"})
     CHECK_FALSE(read(wrong));
   for (const double degrees : {0.0, 1e-9, 10.0, 30.0, 45.0, 60.0, 89.9})
     CHECK(slope_degrees(slope_ratio(degrees)) == Approx(degrees).epsilon(1e-12));
+}
+
+TEST_CASE("accelerations are in g, or have their unit", "[tilt][settings]") {
+  const auto read = [](const char* text) -> std::optional<double> {
+    Document document;
+    if (read_setting(Setting::acceleration, text, document)) return std::nullopt;
+    return document.shown.carrying.acceleration;
+  };
+  CHECK(read("0.2") == 0.2);
+  CHECK(read("0.2g") == 0.2);
+  CHECK(read("9.80665 m/s2") == 1.0);
+  CHECK(read("4.903325m/s\u00B2") == 0.5);
+  for (const char* wrong : {"g", "m/s2", "1 m/s", "-1g", "1000 m/s2"}) CHECK_FALSE(read(wrong));
 }
 
 TEST_CASE("where another load may stand", "[tilt][extra]") {

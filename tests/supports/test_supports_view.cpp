@@ -10,6 +10,7 @@
 #include "panels/summary.h"
 #include "tools/drawing.h"
 #include "tools/pick.h"
+#include "tools/transform.h"
 #include "view/view_page.h"
 
 using namespace evenlift;
@@ -241,6 +242,88 @@ TEST_CASE("a support above its own capacity is told and marked", "[view][support
   CHECK(verdict(state).headline == "1 of 6 robots is overloaded: robot 2.");
   CHECK(verdict(state).mood == Mood::falls);
   CHECK(summary(state).find("1 of 6 robots is overloaded: robot 2.") != std::string::npos);
+}
+
+TEST_CASE("robots placed by hand belong to the object: they are moved, turned and scaled with it",
+          "[view][supports]") {
+  AppState state = piano_state();
+  give(state, SetMethod{Method::given});
+  const Points places = supports(state);
+  const Placement before = placement(state);
+  for (const SetPolygon& edited : {moved_polygon(state, 7, -3), turned_polygon(state, 2),
+                                   scaled_polygon(state, 0.37), scaled_polygon(state, 2.5)}) {
+    give(state, edited);
+    REQUIRE_FALSE(state.derived().refusal);
+    CHECK(std::abs(placement(state).coverage - before.coverage) < 1e-3);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      CHECK(std::abs(placement(state).teams[0].robots[i].load - before.teams[0].robots[i].load) <
+            0.1);
+    give(state, EndEdit{});
+    give(state, Undo{});
+    CHECK(supports(state) == places);
+  }
+}
+
+TEST_CASE("a dragged vertex takes along the robots on its edges, and pushes those beneath",
+          "[view][supports]") {
+  AppState state;
+  begin(state, placed(document("(0,0)\n(400,0)\n(400,300)\n(0,300)\n")));
+  frame_view(state);
+  Settings own = settings(state);
+  own.method = Method::given;
+  own.supports = {{400, 75}, {100, 300}, {0, 150}, {350, 250}};
+  give(state, SetSettings{own});
+  const Points places = supports(state);
+  give(state, MoveVertex{2, Vec2(200, 200)});
+  REQUIRE_FALSE(state.derived().refusal);
+  CHECK(supports(state)[0] == Vec2(350, 50));  // a quarter of its edge, as before
+  CHECK(length(supports(state)[1] - Vec2(50, 275)) < 1e-9);
+  CHECK(supports(state)[2] == places[2]);
+  CHECK(placement(state).teams[0].robots[3].point.edge != beneath);
+  give(state, MoveVertex{2, Vec2(400, 300)});
+  for (std::size_t i = 0; i < places.size(); ++i)
+    CHECK(length(supports(state)[i] - places[i]) < 1e-9);
+  give(state, MoveVertex{2, Vec2(150, 120)});
+  give(state, EndEdit{});
+  CHECK(supports(state).size() == places.size());
+  give(state, Undo{});
+  CHECK(supports(state) == places);
+
+  SECTION("and so do holes, that are drawn or moved over them") {
+    give(state, SetTool{Tool::hole});
+    for (const Vec2& corner : {Vec2(300, 200), Vec2(380, 200), Vec2(380, 280), Vec2(300, 280)})
+      give(state, AddPoint{corner});
+    give(state, FinishDrawing{});
+    REQUIRE(state.work.document().holes.size() == 1);
+    REQUIRE_FALSE(state.derived().refusal);
+    CHECK(length(supports(state)[3] - places[3]) < 80);
+  }
+  SECTION("and a removed vertex leaves none outside") {
+    give(state, RemoveVertex{2});
+    REQUIRE_FALSE(state.derived().refusal);
+    CHECK(supports(state).size() == places.size());
+  }
+}
+
+TEST_CASE("a new outline begins with the method before, and one undo brings the robots back",
+          "[view][supports]") {
+  AppState state = piano_state();
+  give(state, SetMethod{Method::circle});
+  give(state, PlaceYourself{4});
+  const Points places = supports(state);
+  give(state, SetTool{Tool::draw});
+  for (const Vec2& corner : {Vec2(5000, 0), Vec2(5400, 0), Vec2(5400, 300), Vec2(5000, 300)})
+    give(state, AddPoint{corner});
+  give(state, FinishDrawing{});
+  CHECK(state.work.document().vertices.size() == 4);
+  REQUIRE_FALSE(state.derived().refusal);
+  CHECK(settings(state).method == Method::circle);
+  CHECK(settings(state).teams == 2u);
+  CHECK(state.session.notice.text ==
+        "The robots are placed by circle: yours stay with the former object.");
+  CHECK(state.session.notice.undo == "Back to mine");
+  give(state, Undo{});
+  CHECK(supports(state) == places);
 }
 
 TEST_CASE("another method leaves the supports, and by hand takes its robots over",

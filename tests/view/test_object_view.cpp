@@ -494,9 +494,50 @@ TEST_CASE("another polygon keeps the settings, but not those of its edges and le
   before.settings.teams = 2;
   before.settings.no_go = {{3, 0, 1}};
   before.shown.com_radius = 5;
-  const Result<Opened> after = opened_after(document("(0,0)\n(40,0)\n(0,30)\n"), before);
+  Work work;
+  work.edit() = before;
+  const Result<Opened> after = opened_after(document("(0,0)\n(40,0)\n(0,30)\n"), work);
   REQUIRE(after);
   CHECK(after->document.settings.teams == 2);
   CHECK(after->document.settings.no_go.empty());
   CHECK(after->document.shown.com_radius == 0);
+}
+
+TEST_CASE("an unfinished drawing that another tool replaces comes back with one undo", "[view]") {
+  AppState state;
+  begin(state, placed(document("(0,0)\n(400,0)\n(400,300)\n(0,300)\n")));
+  frame_view(state);
+  const Points corners = {{500, 0}, {600, 0}, {600, 90}, {520, 130}};
+  const std::size_t depth = state.work.history.depth();
+  for (const Tool other : {Tool::hole, Tool::weight, Tool::parts, Tool::draw}) {
+    give(state, SetTool{Tool::draw});
+    for (const Vec2& corner : corners) give(state, AddPoint{corner});
+    give(state, SetTool{other});
+    CHECK(state.session.notice.undo == "Go on drawing");
+    CHECK(state.view.drawing.points.empty());
+    give(state, Undo{});
+    CHECK(state.view.tool == Tool::draw);
+    CHECK(state.view.drawing.points == corners);
+    CHECK(state.work.history.depth() == depth);
+    give(state, TakePointBack{});
+    CHECK(state.view.drawing.points.size() == 3);
+    give(state, SetTool{Tool::parts});
+    give(state, Undo{});
+    give(state, SetTool{Tool::parts});
+  }
+  SECTION("but not once the object was edited") {
+    give(state, MoveVertex{0, Vec2(-5, 0)});
+    give(state, EndEdit{});
+    give(state, Undo{});
+    CHECK(state.view.tool == Tool::parts);
+    CHECK(state.work.document().vertices[0] == Vec2(0, 0));
+  }
+  SECTION("nor once it was finished") {
+    give(state, Undo{});
+    give(state, FinishDrawing{});
+    CHECK(state.work.document().vertices == Points(corners.begin(), corners.begin() + 3));
+    give(state, Undo{});
+    CHECK(state.work.document().vertices[1] == Vec2(400, 0));
+    CHECK(state.view.tool == Tool::parts);
+  }
 }

@@ -26,8 +26,8 @@ test("a slope is typed, and the page says the same as the program", async () => 
   await press(page, "carrying");
   for (const [field, typed] of [
     ["com height", "600"],
-    ["slope", "8%"],
-    ["acceleration", "0.1"],
+    ["slope", "8"], // of the shown unit
+    ["acceleration", "0,1 g"],
     ["give", "10"],
     ["uneven", "1"],
     ["extra", "60"],

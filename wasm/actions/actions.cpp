@@ -112,7 +112,7 @@ void move_chapter(const AppState&, Commands& out) {
 }
 
 void undo(const AppState& s, Commands& out) {
-  if (when::drawing(s))
+  if (when::drawing(s) && !can_go_on_drawing(s))
     out.push_back(TakePointBack{});
   else
     out.push_back(Undo{});

@@ -65,6 +65,7 @@ bool can_finish(const AppState& s) {
 bool can_take_back(const AppState& s) { return drawing(s) && !s.view.drawing.points.empty(); }
 
 bool can_undo(const AppState& s) {
+  if (can_go_on_drawing(s)) return true;
   return drawing(s) ? !s.view.drawing.points.empty() : s.work.history.can_undo();
 }
 

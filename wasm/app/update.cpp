@@ -101,8 +101,9 @@ struct Applier {
   }
   void operator()(const SetMethod& c) const {
     if (c.method == Method::given) {
-      if (state.derived().placement)
-        (*this)(SetSettings{taken_over(settings(state), *state.derived().placement)});
+      if (!state.derived().placement) return;
+      if (settings(state).method != Method::given) state.work.aside.method = settings(state).method;
+      (*this)(SetSettings{taken_over(settings(state), *state.derived().placement)});
       return;
     }
     auto [changed, aside] =
@@ -131,6 +132,8 @@ struct Applier {
     document.centre_of_mass = c.shape.centre_of_mass;
     document.holes = c.shape.holes;
     document.settings.cargo = c.shape.cargo;
+    document.settings.supports = c.shape.supports;
+    keep_supports(document);
   }
   void operator()(const EndEdit&) const {
     state.view.away.reset();

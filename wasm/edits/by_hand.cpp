@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -42,6 +43,7 @@ Document& edit_supports(AppState& state, bool live) {
   state.given = {};
   document.settings = std::move(own);
   if (before == Method::given) return document;
+  state.work.aside.method = before;
   state.work.show().support_capacities.clear();
   show(state, {Notice::Kind::info, "The robots now stand where you put them.", way_back(before)});
   return document;
@@ -86,6 +88,81 @@ bool stands_freely(const Placement& placement) {
          !(placement.settings.method == Method::balanced && count_robots(placement.teams) >= 3);
 }
 
+namespace {
+
+// A point of an edge: its ring (0 is the outline), the edge's number, and the part of the edge.
+struct OnEdge {
+  std::size_t ring, edge;
+  double part;
+};
+
+const Vec2& next_in(const Points& ring, std::size_t i) {
+  return ring[i + 1 == ring.size() ? 0 : i + 1];
+}
+
+std::optional<OnEdge> nearest_edge(const std::vector<const Points*>& rings, const Vec2& point,
+                                   double within) {
+  std::optional<OnEdge> nearest;
+  for (std::size_t r = 0; r < rings.size(); ++r)
+    for (std::size_t i = 0; i < rings[r]->size(); ++i) {
+      const Vec2 &a = (*rings[r])[i], &b = next_in(*rings[r], i);
+      const Vec2 at = nearest_on_segment(a, b, point);
+      if (length(at - point) > within) continue;
+      within = length(at - point);
+      const double whole = length(b - a);
+      nearest = OnEdge{r, i, whole > 0 ? length(at - a) / whole : 0};
+    }
+  return nearest;
+}
+
+std::vector<const Points*> rings_of(const Points& outline, const std::vector<Points>& holes) {
+  std::vector<const Points*> rings = {&outline};
+  for (const Points& hole : holes) rings.push_back(&hole);
+  return rings;
+}
+
+Vec2 point_of(const Points& ring, std::size_t edge, double part) {
+  return ring[edge] + part * (next_in(ring, edge) - ring[edge]);
+}
+
+}  // namespace
+
+void carry_supports(Document& document, const PolygonGrip& before) {
+  Points& supports = document.settings.supports;
+  if (document.settings.method != Method::given || supports.size() != before.supports.size())
+    return;
+  const auto rings = rings_of(before.vertices, before.holes),
+             now = rings_of(document.vertices, document.holes);
+  const double within =
+      document.settings.snap.value_or(usual_snap * length(bounding_box(before.vertices).size()));
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    supports[i] = before.supports[i];
+    const auto on = nearest_edge(rings, supports[i], within);
+    if (!on || rings[on->ring]->size() != now[on->ring]->size()) continue;
+    const Points &ring = *rings[on->ring], &edited = *now[on->ring];
+    const bool has_moved =
+        ring[on->edge] != edited[on->edge] || next_in(ring, on->edge) != next_in(edited, on->edge);
+    if (has_moved) supports[i] = point_of(edited, on->edge, on->part);
+  }
+  keep_supports(document);
+}
+
+void keep_supports(Document& document) {
+  if (document.settings.method != Method::given) return;
+  const Result<PolygonWithHoles> object = object_of(document);
+  if (!object) return;
+  const SupportPlacer placer(*object, document.settings);
+  const auto rings = rings_of(document.vertices, document.holes);
+  for (Vec2& support : document.settings.supports) {
+    if (placer.place(support)) continue;
+    const auto on = nearest_edge(rings, support, std::numeric_limits<double>::infinity());
+    const Vec2 at = point_of(*rings[on->ring], on->edge, on->part), way = at - support;
+    // A little beyond the rim of a hole, on material.
+    const double beyond = on->ring > 0 && length(way) > 0 ? placer.snap() / length(way) : 0;
+    support = at + beyond * way;
+  }
+}
+
 void move_support(AppState& state, std::size_t robot, const Vec2& to) {
   if (!has_robots(state) || state.derived().placement->teams.empty()) return;
   const bool was_away = state.view.away.has_value();
@@ -124,6 +201,7 @@ void move_support(AppState& state, std::size_t robot, const Vec2& to) {
 void place_yourself(AppState& state, std::size_t robots) {
   if (!has_robots(state)) return;
   const Placement& placement = *state.derived().placement;
+  if (settings(state).method != Method::given) state.work.aside.method = settings(state).method;
   Settings own = with_method(settings(state), Method::given, 1);
   own.supports = supports_to_place(placement.object, placement.centre_of_mass, robots, own);
   edit(state, false, Edit::robots_moved).settings = std::move(own);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "state/layout.h"
 #include "state/screen.h"
 
@@ -93,7 +95,13 @@ void open(AppState& state, Opened opened, Edit edit) {
   ++state.session.opened;
   if (edit == Edit::lesson_opened)
     state.work.second_method.reset();  // a lesson uses the whole picture
+  const bool left_robots = opened.left_robots;
   show_opened(state, std::move(opened));
+  if (left_robots)
+    show(state, {Notice::Kind::info,
+                 say("The robots are placed by {method}: yours stay with the former object.",
+                     {method_in_words(settings(state).method)}),
+                 say("Back to mine")});
 }
 
 void start_with(AppState& state, Opened opened, const std::optional<Document>& work) {

@@ -10,6 +10,7 @@
 #include "evenlift/wording.h"
 #include "state/derived.h"
 #include "state/screen.h"
+#include "tools/drawing.h"
 #include "tools/pick.h"
 #include "walkthrough/walkthrough.h"
 
@@ -218,6 +219,7 @@ void drop_stale_picks(AppState& state) {
 }
 
 void undo(AppState& state) {
+  if (can_go_on_drawing(state)) return go_on_drawing(state);
   if (state.work.history.can_undo())
     step_back(state, state.work.history.undo(state.work.document(), beside(state.work)),
               "Undone: {edit}.");

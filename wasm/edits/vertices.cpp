@@ -27,6 +27,7 @@ namespace {
 void put_in_hole(AppState& state, const Handle& edge, const Vec2& at) {
   Points& ring = ring_of(edit(state, false, Edit::vertex_added), edge.ring);
   ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(edge.index) + 1, at);
+  keep_supports(state.work.edit());
 }
 
 void remove_from_hole(AppState& state, const Handle& vertex) {
@@ -37,6 +38,7 @@ void remove_from_hole(AppState& state, const Handle& vertex) {
     document.holes.erase(document.holes.begin() + static_cast<std::ptrdiff_t>(vertex.ring) - 1);
   else
     ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(vertex.index));
+  keep_supports(document);
 }
 
 void remove_from_outline(AppState& state, std::size_t vertex) {
@@ -48,6 +50,7 @@ void remove_from_outline(AppState& state, std::size_t vertex) {
     state.work.aside.no_go =
         after_removal(*state.work.aside.no_go, vertices, static_cast<std::uint32_t>(vertex));
   vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(vertex));
+  keep_supports(document);
 }
 
 void remove_weight(AppState& state, std::size_t item) {
@@ -66,7 +69,11 @@ double usual_weight(const Settings& settings) {
 void move_handle(AppState& state, std::size_t number, const Vec2& to) {
   const std::optional<Handle> handle = handle_of(state.work.document(), number);
   if (!handle || place_of(state.work.document(), number) == to) return;
-  put(edit(state, true, handle->is_weight ? Edit::weight_moved : Edit::vertex_moved), number, to);
+  if (!state.work.edit_open) state.view.grip = grip_of(state.work.document());
+  Document& document =
+      edit(state, true, handle->is_weight ? Edit::weight_moved : Edit::vertex_moved);
+  put(document, number, to);
+  if (!handle->is_weight) carry_supports(document, state.view.grip);
 }
 
 void insert_vertex(AppState& state, std::size_t edge, const Vec2& at) {
@@ -84,6 +91,7 @@ void insert_vertex(AppState& state, std::size_t edge, const Vec2& at) {
     state.work.aside.no_go =
         after_split(*state.work.aside.no_go, static_cast<std::uint32_t>(edge), part);
   vertices.insert(vertices.begin() + static_cast<std::ptrdiff_t>(edge) + 1, at);
+  keep_supports(document);
 }
 
 void remove_handle(AppState& state, std::size_t number) {
@@ -183,8 +191,30 @@ void renew_drawing(AppState& state) {
   emit(state, DocumentChanged{});
 }
 
+namespace {
+
+// Returns whether a drawing is left that is worth going on with.
+bool leave_drawing(AppState& state) {
+  const Points& points = state.view.drawing.points;
+  if (!draws(state.view.tool) || points.size() < 2) return false;
+  state.view.left_drawing = {state.view.tool, points, state.work.edits()};
+  return true;
+}
+
+}  // namespace
+
+void go_on_drawing(AppState& state) {
+  const LeftDrawing left = *std::exchange(state.view.left_drawing, std::nullopt);
+  take_tool(state, left.tool);
+  state.view.drawing.points = left.points;
+  state.view.drawing.last_cursor = left.points.back();
+  renew_drawing(state);
+  announce(state, "The unfinished drawing is back.");
+}
+
 void take_tool(AppState& state, Tool tool) {
   if (draws(tool) && walkthrough_is_open(state)) close_walkthrough(state);
+  const bool left = leave_drawing(state);
   state.view.tool = tool;
   emit(state, SummaryChanged{});
   state.view.card.ask(std::nullopt);
@@ -194,6 +224,9 @@ void take_tool(AppState& state, Tool tool) {
   state.view.hover = state.view.held = {};
   if (draws(tool)) state.work.second_method.reset();
   show(state, {});
+  if (left)
+    show(state,
+         {Notice::Kind::info, say("The unfinished drawing is put aside."), say("Go on drawing")});
   if (tool == Tool::robot)
     announce(state, "Click the outline or the object to add a robot there; Esc ends it.");
   if (tool == Tool::hole)
@@ -295,7 +328,10 @@ void refuse_drawing(AppState& state, const InputError& error) {
 void finish_hole(AppState& state) {
   const Result<Document> with = with_hole(state.work.document(), state.view.drawing.points);
   if (!with) return refuse_drawing(state, with.error());
-  edit(state, false, Edit::hole_drawn).holes = with->holes;
+  Document& document = edit(state, false, Edit::hole_drawn);
+  document.holes = with->holes;
+  keep_supports(document);
+  state.view.drawing = {};
   take_tool(state, Tool::parts);
   announce(state, say("Hole {hole} drawn.", {with->holes.size()}));
 }
@@ -304,7 +340,7 @@ void finish_hole(AppState& state) {
 
 void finish_drawing(AppState& state) {
   if (state.view.tool == Tool::hole) return finish_hole(state);
-  Result<Opened> polygon = opened_after({state.view.drawing.points, {}}, state.work.document());
+  Result<Opened> polygon = opened_after({state.view.drawing.points, {}}, state.work);
   if (!polygon) return refuse_drawing(state, polygon.error());
   open(state, std::move(polygon).value(), Edit::drawn);
   if (state.work.backdrop) state.work.backdrop->traced = true;

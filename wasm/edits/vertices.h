@@ -47,6 +47,14 @@ void add_support(AppState& state, std::optional<Vec2> at);
 void remove_support(AppState& state, std::optional<std::size_t> robot);
 void even_out_supports(AppState& state);
 
+// Robots placed by hand belong to the object. After an edit of its outline or holes,
+// carry_supports() moves those on the edges of `before` along, each with its part of its edge, and
+// keep_supports() moves those that would then be outside, or in a hole, to the nearest place of the
+// object. Neither does anything for other methods, or if the edited object is invalid. O(m n) for m
+// robots.
+void carry_supports(Document& document, const PolygonGrip& before);
+void keep_supports(Document& document);
+
 // --- Moves of robots by hand.
 
 // Moves a robot of the first picture. A balanced robot moves to the point of the outline nearest to
@@ -109,6 +117,9 @@ void type_edge(AppState& state, const TypeEdge& typed);
 // Forgets the typed values of the next edge. The edge then ends at the pointer again; without a
 // pointer, it has no length.
 void withdraw_edge(AppState& state);
+
+// Takes up the drawing that was left (can_go_on_drawing() of tools/drawing.h).
+void go_on_drawing(AppState& state);
 
 // Closes the drawn shape: opens the polygon with the settings that opened_after() (state/derived.h)
 // keeps, or adds the hole. If the shape is refused, shows a notice instead.

@@ -36,7 +36,7 @@ namespace {
 std::string open_with_these_settings(std::string_view text) {
   Result<Document> read = evenlift::read_polygon(text);
   if (!read) return sentence(read.error());
-  Result<Opened> polygon = opened_after(std::move(read).value(), app().state.work.document());
+  Result<Opened> polygon = opened_after(std::move(read).value(), app().state.work);
   if (!polygon) return sentence(polygon.error());
   Commands commands;
   commands.push_back(OpenDocument{std::move(polygon).value()});

@@ -271,15 +271,18 @@ struct RatioRow {
   double step;
   const char *id, *label, *about, *spoken;
   std::string (*text)(double value);
+  std::string (*exact)(double value);
 };
 const RatioRow ratios[] = {
     {&Carrying::slope, Setting::slope, 0.01, "slope", "Slope",
      "Greatest slope, in any direction, of the plane in which the robots lift: the ground's, "
-     "unless they level the object; type 8%, 4.6deg or 0.08",
-     "Greatest slope", [](double value) { return slope_in_words(value); }},
+     "unless they level the object; type 8 or 8%, or 4.6°",
+     "Greatest slope", [](double value) { return slope_in_words(value); },
+     [](double value) { return shortest(100 * value) + "%"; }},
     {&Carrying::acceleration, Setting::acceleration, 0.05, "acceleration", "Braked at",
-     "Greatest acceleration along the ground in any direction, in g", "Greatest acceleration, in g",
-     [](double value) { return plain(value) + "\u00A0g"; }},
+     "Greatest acceleration along the ground in any direction, in g, or with its unit: 2 m/s2",
+     "Greatest acceleration, in g", [](double value) { return plain(value) + "\u00A0g"; },
+     [](double value) { return shortest(value); }},
 };
 
 void draw_ratio(const Ui& ui, const RatioRow& row) {
@@ -291,7 +294,7 @@ void draw_ratio(const Ui& ui, const RatioRow& row) {
                           .can_raise = value < range.most,
                           .label = row.spoken,
                           .setting = row.id,
-                          .exact = shortest(value)});
+                          .exact = row.exact(value)});
   if (by == 0) return;
   const double steps = std::round(1 / row.step);
   value = std::clamp((std::round(value * steps) + by) / steps, range.least, range.most);

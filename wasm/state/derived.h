@@ -14,6 +14,7 @@
 #include "evenlift/report.h"
 #include "evenlift/trace.h"
 #include "state/view_state.h"
+#include "state/work.h"
 
 namespace evenlift::view {
 
@@ -24,14 +25,16 @@ struct Opened {
   Document document;
   Placement placement;
   std::optional<Trace> trace;  // the placement's trace, if a check needed it
+  bool left_robots = false;    // the robots placed by hand stay with the former object
 };
 
 // Opens the document, or returns why it is refused. Costs as much as place().
 Result<Opened> opened(Document document);
 
-// Opens another polygon. The settings and `shown` come from `before`, except those that belong
-// to the polygon of `before`: the step, the shown lengths and the no-go edges.
-Result<Opened> opened_after(Document polygon, const Document& before);
+// Opens another polygon. The settings and `shown` come from the present document, except those that
+// belong to its polygon: the step, the shown lengths and the no-go edges. Robots placed by hand
+// belong to it, too: the method is then the one before, with as many robots.
+Result<Opened> opened_after(Document polygon, const Work& work);
 
 // read_link() reads and opens a document from a link, and read_document() from a link or a
 // polygon's text. Both return the first error.

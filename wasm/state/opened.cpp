@@ -1,11 +1,13 @@
 #include "state/derived.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
 #include "evenlift/settings.h"
 #include "evenlift/swaps.h"
+#include "state/method.h"
 
 namespace evenlift::view {
 namespace {
@@ -118,14 +120,24 @@ Result<Opened> opened(Document document) {
   return Opened{std::move(document), std::move(placement).value(), std::nullopt};
 }
 
-Result<Opened> opened_after(Document polygon, const Document& before) {
+Result<Opened> opened_after(Document polygon, const Work& work) {
+  const Document& before = work.document();
   polygon.settings = before.settings;
+  if (before.settings.method == Method::given) {
+    const auto robots = static_cast<std::uint32_t>(before.settings.supports.size());
+    polygon.settings = with_method(before.settings, work.aside.method.value_or(Method::area), 3);
+    polygon.settings.teams = std::max(1u, robots / 2);
+    polygon.settings.robots = std::clamp(robots, fewest_robots(polygon.settings), most_robots);
+  }
   polygon.shown = before.shown;
+  polygon.shown.support_capacities.clear();
   polygon.shown.step.reset();
   for (const SettingRow& row : all_settings())
     if (row.changes == Changes::shown && row.is_length) read_setting(row.setting, "0", polygon);
   polygon.settings.no_go.clear();
-  return opened(std::move(polygon));
+  Result<Opened> next = opened(std::move(polygon));
+  if (next) next->left_robots = before.settings.method == Method::given;
+  return next;
 }
 
 Result<Document> parse_document(std::string_view text) {

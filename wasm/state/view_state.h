@@ -186,12 +186,20 @@ struct Drawing {
   std::optional<InputError> refusal;      // why the shape cannot be closed
 };
 
-// The polygon when the user grabbed it to move, turn or scale it.
+// An outline or hole whose drawing was left unfinished: undo goes on with it, until the next edit.
+struct LeftDrawing {
+  Tool tool = Tool::draw;
+  Points points;
+  std::uint64_t edits = 0;  // Work::edits() at that time
+};
+
+// The object when the user grabbed it, or a vertex of it, with the robots placed by hand.
 struct PolygonGrip {
   Points vertices;
   std::optional<Vec2> centre_of_mass;
   std::vector<Points> holes;
   std::vector<Cargo> cargo;
+  Points supports;
 };
 
 // The lines and dots to which dragged and drawn points snap.
@@ -226,6 +234,7 @@ struct OpenTask {
 struct View {
   Tool tool = Tool::parts;
   Drawing drawing;
+  std::optional<LeftDrawing> left_drawing;
   PolygonGrip grip;
   Snap snap;
   std::optional<std::size_t> selected;  // number of a handle (handles.h)

@@ -156,6 +156,7 @@ struct SetAside {
   std::optional<RobotSize> robot;
   std::optional<std::vector<EdgePart>> no_go;
   std::optional<Goal> goal;
+  std::optional<Method> method;  // before the robots were placed by hand
 };
 
 struct Work {

@@ -346,4 +346,9 @@ std::string closed_in_words(const Placement& placement, std::size_t robot) {
              {robot + 1});
 }
 
+bool can_go_on_drawing(const AppState& state) {
+  return state.view.left_drawing && state.view.left_drawing->edits == state.work.edits() &&
+         state.view.drawing.points.empty();
+}
+
 }  // namespace evenlift::view

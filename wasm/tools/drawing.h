@@ -122,4 +122,8 @@ std::optional<Vec2> even_spot(const AppState& state, const Vec2& to,
 // Returns whether the pointer drags a robot placed by hand.
 bool holds_support(const AppState& state);
 
+// Whether the next undo takes up a drawing that another tool or drawing replaced: if it had two points
+// or more, and the object was not edited since. O(1).
+bool can_go_on_drawing(const AppState& state);
+
 }  // namespace evenlift::view

@@ -83,7 +83,8 @@ std::string name_of(const Document& document, std::size_t number) {
 }
 
 PolygonGrip grip_of(const Document& document) {
-  return {document.vertices, document.centre_of_mass, document.holes, document.settings.cargo};
+  return {document.vertices, document.centre_of_mass, document.holes, document.settings.cargo,
+          document.settings.supports};
 }
 
 namespace {

@@ -26,6 +26,7 @@ SetPolygon mapped(const PolygonGrip& grip, Map map) {
   for (Points& hole : shape.holes)
     for (Vec2& p : hole) p = map(p);
   for (Cargo& item : shape.cargo) item.at = map(item.at);
+  for (Vec2& support : shape.supports) support = map(support);
   if (shape.centre_of_mass) shape.centre_of_mass = map(*shape.centre_of_mass);
   return polygon;
 }

@@ -11,7 +11,7 @@ export function plainValue(shown) {
 
 const number = String.raw`[-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][-+]?\d+)?`;
 const unit = "kg|t|N|lb|m|cm|mm|in";
-const one = new RegExp(`^(${number})(?:\\s*(?:(${unit})|×|°))?$`);
+const one = new RegExp(`^(${number})(?:\\s*(?:(${unit})|×|°|%|deg|g|m/s2|m/s²))?$`);
 const two = new RegExp(`^\\(?\\s*(${number})\\s*(?:[;,]\\s+|;|\\s+)\\s*(${number})\\s*\\)?$`);
 const twoWithComma = /^\(?\s*([-+]?[\d.eE+-]+)\s*,\s*([-+]?[\d.eE+-]+)\s*\)?$/;
 const twoWithUnits = new RegExp(
@@ -93,6 +93,11 @@ const known = ["all", "centroid", "no limit", "none"];
 const inEnglish = (text) =>
   known.find((word) => translated(word) !== word && translated(word).toLowerCase() === text.toLowerCase()) ?? text;
 
+function slopeValue(text) {
+  const bare = new RegExp(`^${number}$`).test(text);
+  return `${point(text)}${bare ? "%" : ""}`;
+}
+
 // A number may have a unit and a decimal comma; a comma, a semicolon or a space separates two numbers. `own` is the
 // field's unit or "". The program refuses everything else with a message, also a unit that the field cannot have:
 // without it the number would mean another quantity.
@@ -107,6 +112,9 @@ export function settingValue(typed, setting = "", own = "") {
   }
   if (setting === "teams" && text.toLowerCase() === "all") return "max"; // as on the button
   if (setting === "capacity" && text.toLowerCase() === "no limit") return "none";
+  // A number without a unit has the one that is shown.
+  if (setting === "slope") return slopeValue(text);
+  if (setting === "acceleration") return point(text);
   const single = setting === "com" ? null : one.exec(text); // here "10,20" means two numbers
   if (single) return single[2] ? (converted(single[1], single[2], own) ?? text) : point(single[1]);
   const pair = two.exec(text);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <tuple>
 #include <utility>
 
@@ -325,7 +326,7 @@ void for_each_facing(const std::vector<StandLine>& lines, double near,
     if (first > last && last > 0) met[0].add(i);
     if (first < half_turn && last > half_turn) met[1].add(i);
   }
-  std::sort(events.begin(), events.end());
+  sort_items(events, std::less<Event>());
   for (const Event& event : events) {
     if (!event.enters) {
       met[event.side].remove(event.line);

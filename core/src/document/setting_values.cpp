@@ -135,26 +135,48 @@ namespace {
 
 struct Notation {
   std::string_view ending;
-  double (*ratio)(double number);
+  double (*value)(double number);
 };
-constexpr Notation notations[] = {
-    {"%", [](double percent) { return percent / 100; }},
-    {"deg",
-     [](double degrees) { return degrees >= 0 && degrees < 90 ? slope_ratio(degrees) : -1; }},
-    {"", [](double ratio) { return ratio; }},
-};
+
+double of_degrees(double degrees) {
+  return degrees >= 0 && degrees < 90 ? slope_ratio(degrees) : -1;
+}
+double of_metres(double metres) {
+  constexpr double standard_gravity = 9.80665;  // m/s²
+  return metres / standard_gravity;
+}
+double as_is(double number) { return number; }
+
+constexpr Notation of_slopes[] = {{"%", [](double percent) { return percent / 100; }},
+                                  {"deg", of_degrees},
+                                  {"\u00B0", of_degrees},
+                                  {"", as_is}};
+constexpr Notation of_accelerations[] = {
+    {"m/s2", of_metres}, {"m/s\u00B2", of_metres}, {"g", as_is}, {"", as_is}};
+
+bool read_notation(std::string_view text, std::span<const Notation> notations,
+                   const SettingRange& range, double& value) {
+  for (const Notation& notation : notations) {
+    if (!text.ends_with(notation.ending)) continue;
+    text.remove_suffix(notation.ending.size());
+    if (!notation.ending.empty())
+      while (text.ends_with(' ')) text.remove_suffix(1);
+    const auto number = read_number(text);
+    if (!number || !setting_value::is_within(notation.value(*number), range)) return false;
+    value = notation.value(*number);
+    return true;
+  }
+  return false;
+}
 
 }  // namespace
 
 bool read_slope(std::string_view text, const SettingRange& range, double& slope) {
-  for (const auto& [ending, ratio] : notations) {
-    if (!text.ends_with(ending)) continue;
-    const auto number = read_number(text.substr(0, text.size() - ending.size()));
-    if (!number || !setting_value::is_within(ratio(*number), range)) return false;
-    slope = ratio(*number);
-    return true;
-  }
-  return false;
+  return read_notation(text, of_slopes, range, slope);
+}
+
+bool read_acceleration(std::string_view text, const SettingRange& range, double& acceleration) {
+  return read_notation(text, of_accelerations, range, acceleration);
 }
 
 namespace {

@@ -178,11 +178,13 @@ std::string kind_in_words(const SettingRange& range) {
 
 namespace evenlift {
 
-// --- Reads the slope of the ground as users type it.
+// --- Reads the slope of the ground and the acceleration as users type them.
 
-// Reads a ratio such as 0.08, a percentage such as 8%, or an angle such as 4.6deg. Returns whether
-// the text is valid and its value in range. If so, stores the value as a ratio.
+// Reads a ratio such as 0.08, a percentage such as 8%, or an angle such as 4.6deg or 4.6°; and an
+// acceleration in g, or with its unit, such as 2 m/s2. Spaces may precede the unit. Returns whether the
+// text is valid and its value in range. If so, stores the value as a ratio, or in g.
 bool read_slope(std::string_view text, const SettingRange& range, double& slope);
+bool read_acceleration(std::string_view text, const SettingRange& range, double& acceleration);
 
 // --- Reads the places and capacities of supports from text, and writes the capacities. supports_text()
 // (settings.h) writes the places.

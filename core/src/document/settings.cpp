@@ -84,6 +84,15 @@ constexpr SettingRow::Access slope_as_text() {
   return access;
 }
 
+// The acceleration, also with its unit.
+constexpr SettingRow::Access acceleration_as_text() {
+  SettingRow::Access access = of<&Shown::carrying, &Carrying::acceleration>();
+  access.read = [](std::string_view text, const SettingRange& range, Document& document) {
+    return read_acceleration(text, range, document.shown.carrying.acceleration);
+  };
+  return access;
+}
+
 // A list whose refusal quotes the refused part.
 constexpr SettingRow::Access quoting(SettingRow::Access access,
                                      std::string_view (*refused)(std::string_view)) {
@@ -474,11 +483,11 @@ constexpr SettingRow rows[] = {
      .changes = Changes::shown,
      .range = {0, max_acceleration},
      .option = {OptionGroup::uncertainty, "A",
-                "greatest acceleration along the ground in any direction, in g"},
+                "greatest acceleration along the ground in any direction, in g or such as 2m/s2"},
      .record = 24,
      .in_document = Listed::if_changed,
      .in_result = Listed::if_changed,
-     .access = of<&Shown::carrying, &Carrying::acceleration>()},
+     .access = acceleration_as_text()},
     {.setting = Setting::give,
      .name = "give",
      .subject = "how far a robot gives way",

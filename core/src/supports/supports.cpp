@@ -45,6 +45,15 @@ std::string rounded(double distance, std::uint64_t below, Rounding rounding) {
 
 std::string in_brief(double distance) { return rounded(distance, 1000, Rounding::nearest); }
 
+std::string in_brief(const Vec2& point) {
+  const auto coordinate = [](double value) {
+    constexpr std::uint64_t six_digits = 1000000;
+    const std::string size = rounded(std::abs(value), six_digits, Rounding::nearest);
+    return value < 0 ? "-" + size : size;
+  };
+  return "(" + coordinate(point.x) + ", " + coordinate(point.y) + ")";
+}
+
 // A snap distance of one digit that is at least this.
 std::string enough_for(double distance) { return rounded(distance, 10, Rounding::up); }
 
@@ -58,7 +67,7 @@ constexpr double nearly = 10;
 
 std::string why_refused(const PolygonWithHoles& object, const SupportPlacer& placer,
                         const Vec2& support) {
-  const std::string at = "(" + shortest(support.x) + ", " + shortest(support.y) + ")";
+  const std::string at = in_brief(support);
   if (const auto hole = object.hole_around(support))
     return say("{point} is in hole {hole}", {at, *hole + 1});
   const double outside = placer.distance(support);

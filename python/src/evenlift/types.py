@@ -123,7 +123,7 @@ class Settings(TypedDict, total=False):
     slope: Optional[Union[float, str]]
     """Greatest slope of the plane of the lifting points: a ratio, 8% or 4.6deg."""
     acceleration: Optional[float]
-    """Greatest acceleration along the ground in any direction, in g."""
+    """Greatest acceleration along the ground in any direction, in g or such as 2m/s2."""
     give: Optional[Union[float, Literal["none"]]]
     """Length by which a robot gives way under the mean load."""
     uneven: Optional[float]
@@ -701,7 +701,7 @@ class PlacementDict(_PlacementDict, total=False):
     slope: float
     """Greatest slope of the plane of the lifting points: a ratio, 8% or 4.6deg; only if it is set."""
     acceleration: float
-    """Greatest acceleration along the ground in any direction, in g; only if it is set."""
+    """Greatest acceleration along the ground in any direction, in g or such as 2m/s2; only if it is set."""
     give: float
     """Length by which a robot gives way under the mean load; only if it is set."""
     uneven: float
