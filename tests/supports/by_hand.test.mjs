@@ -240,6 +240,14 @@ test("a challenge shows the object alone, then both scores, and passes mine on w
   const passed = JSON.parse(evenlift("link", "decode", copied.split("#")[1]));
   assert.equal(passed.metric, "area");
   assert.deepEqual(passed.polygon, answer.polygon);
+  // The same arrangement is a tie, although the link has rounded numbers.
+  const tied = await browser.open({ address: `?${copied.split("?")[1]}` });
+  await tied.locator("#challenge").waitFor();
+  await set(tied, { supports: moved.supports.map((place) => place.join(",")).join(" ") });
+  await idle(tied);
+  assert.equal((await state(tied)).loads.max, moved.loads.max);
+  assert.equal(await tied.locator("#challenge .best").count(), 0);
+  await tied.done();
   await card.getByRole("button", { name: "Try again" }).click();
   await idle(other);
   assert.equal((await rows()).length, 2);

@@ -26,6 +26,18 @@ const box = (page, selector) =>
   });
 const apart = (a, b) => a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
 
+test("a link in a language is for newcomers, too; an embedded page or a challenge is not", async () => {
+  for (const [address, comes] of [
+    ["?lang=de", true],
+    ["?place=4", false],
+  ]) {
+    const page = await browser.open({ first: true, address });
+    await idle(page);
+    assert.equal(await card(page).count(), comes ? 1 : 0, address);
+    await page.done();
+  }
+});
+
 for (const [width, height, touch] of [
   [320, 568, true],
   [390, 844, true],

@@ -254,6 +254,9 @@ std::string presumed_in_words(const AppState& state) {
   if (failing(state))
     return "Loads are those of equally stiff and level robots, at rest; at a sudden failure they "
            "swing beyond this";
+  if (state.derived().placement->settings.method == Method::given)
+    return "Loads are those of equally stiff robots on even ground; stability assumes robots that "
+           "push back (stiff, or at a fixed height) and no overload";
   return "Loads assume controlled forces; stability assumes robots that push back (stiff, or at a "
          "fixed height) and no overload";
 }

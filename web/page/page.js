@@ -121,8 +121,10 @@ function loadTheRest(program, bindings, { begins, introduces }) {
   underWay(import("./offline.js"))
     .then(({ keepForOffline }) => keepForOffline(() => bindings.openDialog("newVersion")))
     .catch(() => {});
-  if (introduces && !location.search && !read(lasting, "evenlift.welcomed")) introduce(program);
-  if (begins && !location.search && !read(lasting, "evenlift.welcomed")) bindings.openDialog("firstVisit");
+  const isPlain = /^(\?lang=\w*)?$/.test(location.search); // a link in a language is for newcomers, too
+  const isFirst = isPlain && !read(lasting, "evenlift.welcomed");
+  if (introduces && isFirst) introduce(program);
+  if (begins && isFirst) bindings.openDialog("firstVisit");
 }
 
 // Without WebGL 2 the link's polygon is a still picture. The kept work of other visits stays unchanged. Returns the

@@ -67,9 +67,9 @@ export async function show(page, { place, beat }) {
     scored = mine.numbers.join();
     const revealed = evenlifts !== undefined;
     const rows = [["You", mine]];
-    if (beat) rows.push(["To beat", toBeat(program, place, beat)]);
+    if (beat) rows.push(["To beat", toBeat(program, place, beat, mine)]);
     if (revealed) rows.push(["evenlift", evenlifts]);
-    const best = bests(rows.map(([, score]) => score.numbers));
+    const best = bests(rows.map(([, score]) => asShown(score.numbers, mine)));
     body.replaceChildren(...rows.map(([who, score], i) => row(who, score, best[i])));
     question.textContent = revealed || beat ? translated("Can you beat this?") : asked;
     advice.textContent = translated(
@@ -98,6 +98,14 @@ function row(who, score, best) {
   );
 }
 
+// What looks like a tie is one.
+const asShown = ([most, spread, covered, held], mine) => [
+  Number(shownLike(most, mine.most)),
+  Number(shownLike(spread, mine.spread)),
+  Math.round(covered * 100),
+  held,
+];
+
 // Whether each of a score's four numbers betters another score's and is bettered by none: a smaller load and spread,
 // more covered, held.
 function bests(scores) {
@@ -113,14 +121,17 @@ function bests(scores) {
   );
 }
 
+// A number as another text shows its number, with as many decimals; without such a text, with three digits.
+const shownLike = (value, text) => (text ? value.toFixed(/\.(\d+)/.exec(text)?.[1].length ?? 0) : value.toPrecision(3));
+
 // The sender's score comes from an address, so it is only claimed.
-function toBeat(program, place, [most, spread, covered, held]) {
+function toBeat(program, place, [most, spread, covered, held], mine) {
   const unit = program.text("page_weight_unit");
-  const weight = (value) => `${number(Number(value.toPrecision(3)))} ${unit}`;
+  const weight = (value, like) => `${number(Number(shownLike(value, like)))} ${unit}`;
   return {
     robots: String(place),
-    most: most > 0 ? weight(most) : "",
-    spread: weight(spread),
+    most: most > 0 ? weight(most, mine.most) : "",
+    spread: weight(spread, mine.spread),
     covered: `${Math.round(covered * 100)} %`,
     numbers: [most, spread, covered, held],
   };

@@ -27,7 +27,7 @@ export const stops = [
     title: "Teams",
     where: ({ balanced, team }) => !balanced && team,
     words: () =>
-      "Two discs with the same number are a team. They stand at the ends of a chord, a line through C, the centre of mass.",
+      "The two ringed discs are a team. They stand at the ends of a chord, a line through C, the centre of mass. You can drag every robot.",
     points: (here) => here.discs(here.team),
   },
   {

@@ -167,7 +167,8 @@ InputError setting_error(Setting setting);
 InputError setting_error(Setting setting, std::string why);
 
 // Sets a setting from text, such as "0.8", "max" or "3,5:0.25-0.75". Numbers have the syntax of
-// read_number(), and whole numbers that of read_whole(); a slope may also end in % or deg. Only the
+// read_number(), and whole numbers that of read_whole(); a slope may also end in %, deg or °, and an
+// acceleration in g or m/s2. Only the
 // comma of `com` may have spaces and tabs around it. Any other text or value (see requirement()) is
 // an error and changes nothing. The error for `no_go`, `supports` or `cargo` quotes the first wrong
 // part if that part is short. `supports` also replaces the capacities by those that follow an @, as

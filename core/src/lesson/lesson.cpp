@@ -222,6 +222,12 @@ std::vector<std::string> changed_against(const Task& task, const Document& start
                                          const Document& now) {
   std::vector<std::string> changed;
   if (!may(task, Movable::vertices)) {
+    const bool is_other =
+        std::none_of(now.vertices.begin(), now.vertices.end(), [&](const Vec2& vertex) {
+          return std::find(start.vertices.begin(), start.vertices.end(), vertex) !=
+                 start.vertices.end();
+        });
+    if (is_other) return {"the whole object, as if it were of another lesson"};
     if (start.vertices != now.vertices) changed.emplace_back("the outline");
     if (start.holes != now.holes) changed.emplace_back("the holes");
   }
