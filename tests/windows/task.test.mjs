@@ -124,6 +124,51 @@ test("C is hidden, and is found by the loads that the scales show", async () => 
   await page.done();
 });
 
+test("Copy link copies the task as it begins, and Copy result what was done", async () => {
+  const page = await browser.open({ permissions: clipboard });
+  await openWindow(page, "lessons");
+  await page.locator('[data-name="task-beat-balanced"]').click();
+  await card(page).waitFor();
+  await set(page, { min_ratio: 0.6 });
+  await says(page, "Done!");
+  const copied = () => page.evaluate(() => navigator.clipboard.readText());
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Control+c");
+  await idle(page);
+  const bare = await copied();
+  assert.match(bare, /\?lesson=task-beat-balanced$/);
+  const root = await openWindow(page, "save");
+  assert.equal(await root.locator("input").first().inputValue(), bare);
+  await closeAll(page);
+  await card(page).getByRole("button", { name: "Copy result" }).click();
+  await idle(page);
+  assert.match(await copied(), /\?lesson=task-beat-balanced#1\./);
+  await page.done();
+});
+
+test("a task's card folds, by Escape too, and nothing of the task is lost", async () => {
+  const page = await browser.open({ viewport: phone });
+  await openWindow(page, "lessons");
+  await page.locator('[data-name="task-beat-balanced"]').click();
+  await card(page).waitFor();
+  const high = () => card(page).evaluate((e) => e.offsetHeight);
+  const unfolded = await high();
+  await card(page).getByRole("button", { name: "Fold", exact: true }).click();
+  await idle(page);
+  assert.ok((await high()) < 70 && unfolded > 150, `${unfolded}, ${await high()}`);
+  assert.match(await card(page).innerText(), /: \d of \d/);
+  assert.match(page.url(), /lesson=/);
+  await set(page, { min_ratio: 0.6 });
+  await idle(page);
+  assert.match(await card(page).innerText(), /^Done!/);
+  await card(page).getByRole("button", { name: "Unfold" }).click();
+  await page.keyboard.press("Escape");
+  await idle(page);
+  assert.equal(await card(page).count(), 1, "Escape folds");
+  assert.ok((await high()) < 70);
+  await page.done();
+});
+
 test("closing a task brings back the work from before it, and it is marked as seen once it was done", async () => {
   const page = await browser.open();
   await set(page, { teams: 4 });
@@ -134,7 +179,7 @@ test("closing a task brings back the work from before it, and it is marked as se
   await card(page).waitFor();
   await set(page, { min_ratio: 0.6 });
   await says(page, "Done!");
-  await card(page).getByRole("button", { name: "Close" }).click();
+  await card(page).getByRole("button", { name: "Leave the task" }).click();
   await idle(page);
   assert.equal(await link(page), before);
   assert.doesNotMatch(page.url(), /lesson=/);

@@ -1,7 +1,8 @@
 // HTML cards at the bottom of the drawing. They are not modal, so work can continue. The program reports where a card
 // covers no control, and the polygon gets the remaining space.
 import { ensureStyles } from "./dialogs.js";
-import { button, el } from "./elements.js";
+import { button, el, icon } from "./elements.js";
+import { translated } from "../words/words.js";
 
 const widest = 960; // pixels: longer lines are hard to read
 let open; // at most one
@@ -24,17 +25,22 @@ export function closingButton(name, attributes, act) {
 }
 
 // Shows a card with these elements in place of any open card. `title` is its name for screen readers; `attributes` are
-// as for el(). A cross closes it, unless one of its own buttons does (`cross`). Then `closed(byPerson)` is called.
+// as for el(). A cross closes it, unless one of its own buttons does (`cross`). Then `closed(byPerson)` is called. A card
+// that `folds` has a fold in place of the cross: it then shows only what has the class "brief".
 // Returns { root, close, seat }; call seat() when the card's height has changed. If the program moves the seat, the
 // card follows; in presentation mode it is larger.
-export async function openCard(page, { name, title, body, closed, focus = false, cross = true, attributes = {} }) {
+export async function openCard(
+  page,
+  { name, title, body, closed, focus = false, cross = true, folds, attributes = {} },
+) {
   await ensureStyles();
   open?.close();
   const root = el(
     "section",
     { id: name, class: "seat-card", role: "region", "aria-label": title, ...attributes },
     ...body,
-    ...(cross
+    ...(folds ? [button("", { class: "button bare away", onclick: () => fold() })] : []),
+    ...(cross && !folds
       ? [
           button(
             "",
@@ -57,6 +63,21 @@ export async function openCard(page, { name, title, body, closed, focus = false,
     if (within) canvas.focus({ preventScroll: true });
     closed?.(byPerson);
   }
+  const foldButton = () => root.querySelector(".away");
+  function tellFold() {
+    const folded = root.classList.contains("folded");
+    const name = folded ? "Unfold" : "Fold";
+    foldButton().setAttribute("aria-expanded", String(!folded));
+    foldButton().setAttribute("aria-label", translated(name));
+    foldButton().title = translated(name);
+    foldButton().replaceChildren(icon(folded ? "unfolds" : "folds"));
+  }
+  function fold() {
+    root.classList.toggle("folded");
+    tellFold();
+    seat();
+  }
+  if (folds) tellFold();
   const place = () =>
     `[${page.program.text("page_card_seat")},${page.program.number("page_zoom")},${page.program.number("page_presenting")}]`;
   let placed;
@@ -106,7 +127,8 @@ export async function openCard(page, { name, title, body, closed, focus = false,
   root.addEventListener("keydown", (event) => {
     if (event.key !== "Escape") return;
     event.preventDefault();
-    close(true);
+    if (folds) fold();
+    else close(true);
   });
   if (focus) root.querySelector("button").focus({ preventScroll: true });
   open = { root, close, seat };

@@ -1,5 +1,5 @@
 // A lesson's task: its goals, with ticks that follow every change.
-import { openCard } from "../kit/card.js";
+import { closingButton, openCard } from "../kit/card.js";
 import { button, el, icon, paragraphs } from "../kit/elements.js";
 import { say, translated } from "../words/words.js";
 import { learnersNumber } from "../page/address.js";
@@ -11,6 +11,7 @@ export async function show(page, { again, done }) {
   const list = el("ul", { class: "goals" });
   const state = el("p", { class: "second", role: "status" });
   const answer = el("div", { class: "second" });
+  const brief = el("p", { class: "brief" });
   const copy = button("Copy result", { onclick: copyResult }, "copy");
   const leave = new AbortController();
   let shown = "";
@@ -18,7 +19,9 @@ export async function show(page, { again, done }) {
   const card = await openCard(page, {
     name: "task",
     title: begun.title,
+    folds: true,
     body: [
+      brief,
       el(
         "div",
         { class: "said" },
@@ -34,14 +37,22 @@ export async function show(page, { again, done }) {
         state,
         answer,
       ),
-      el("div", { class: "ways" }, copy, ...question(), ...(begun.numbered ? [numberField()] : [])),
+      el(
+        "div",
+        { class: "ways unfolded" },
+        copy,
+        ...question(),
+        ...(begun.numbered ? [numberField()] : []),
+        closingButton("Leave the task", { class: "button bare" }, leaveTask),
+      ),
     ],
-    closed: (byPerson) => {
-      leave.abort();
-      // A lesson stays open after its steps, and its last step opens the card again.
-      if (byPerson && !program.number("page_walkthrough_is_open")) program.call("page_close_task");
-    },
+    closed: () => leave.abort(),
   });
+
+  // A lesson stays open after its steps, and its last step opens the card again.
+  function leaveTask() {
+    if (!program.number("page_walkthrough_is_open")) program.call("page_close_task");
+  }
 
   // The learner's number, which makes the task another one.
   function numberField() {
@@ -93,6 +104,10 @@ export async function show(page, { again, done }) {
     const { goals, changed, kept, may } = JSON.parse(text);
     list.replaceChildren(...goals.map(row), ...changed.map(changedRow));
     state.textContent = translated(kept ? "Done! Copy the result to hand it in." : may);
+    const met = goals.filter((goal) => goal.kept).length;
+    brief.textContent = kept
+      ? state.textContent
+      : say("{title}: {met} of {goals}", { title: begun.title, met, goals: goals.length });
     card.root.classList.toggle("done", kept);
     copy.classList.toggle("primary", kept);
     if (kept && !celebrated) {

@@ -222,12 +222,16 @@ export class Bindings {
 
   // --- Links and windows ---------------------------------------------------------------------------------------------
 
+  // In a task, the link of the task as it begins: the result is copied by the task's own button.
   async copyAddress(link) {
-    const url = this.#address(link);
+    const bare = this.#program.number("page_task_is_open") === 1 && this.#publisher.lesson().lesson;
+    const url = this.#address(bare ? "" : link);
     const done = await underWay(copy(url));
     this.#publisher.notice(
       done
-        ? `${translated("The link is copied.")} ${this.#aboutLink(url)}`
+        ? bare
+          ? "The link to the task is copied, without what you did: “Copy result” copies that."
+          : `${translated("The link is copied.")} ${this.#aboutLink(url)}`
         : "The browser did not allow copying. The address bar holds the same link.",
       !done,
     );
