@@ -5,6 +5,7 @@ import { tmpdir } from "node:os";
 import path from "node:path";
 import { test } from "node:test";
 import {
+  controlIfShown,
   drag,
   evenlift,
   idle,
@@ -121,6 +122,29 @@ test("C is hidden, and is found by the loads that the scales show", async () => 
   const centre = [0, 1].map((axis) => readings.reduce((total, load, i) => total + load * supports[i][axis], 0) / sum);
   await set(page, { com: centre });
   await says(page, "Done!");
+  await page.done();
+});
+
+test("a task of robots by hand does not offer the methods that would solve it", async () => {
+  const page = await browser.open();
+  for (const [task, methods] of [
+    ["task-thirty", 0],
+    ["task-beat-balanced", 1],
+  ]) {
+    await openWindow(page, "lessons");
+    await page.locator(`[data-name="${task}"]`).click();
+    await card(page).waitFor();
+    await idle(page);
+    for (const name of ["methods", "compared"])
+      assert.equal(Boolean(await controlIfShown(page, name)), methods === 1, `${task} ${name}`);
+    const before = (await state(page)).metric;
+    await page.locator("#canvas").focus();
+    await page.keyboard.press("m");
+    await idle(page);
+    assert.equal((await state(page)).metric !== before, methods === 1, task);
+    await page.keyboard.press("Control+z");
+    await idle(page);
+  }
   await page.done();
 });
 

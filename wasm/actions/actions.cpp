@@ -303,7 +303,7 @@ const std::vector<Action> table = {
     {ActionId::even_out, Group::teams, Icon::none, "Even out the robots placed by hand", "Shift+Q", {{"Q"}}, when::can_even_out, ask<EvenOut>},
     {ActionId::more_teams, Group::teams, Icon::plus, "One more team or robot", "T", {{"t"}}, when::has_teams_number, change_number<1>},
     {ActionId::fewer_teams, Group::teams, Icon::minus, "One fewer team or balanced robot", "Shift+T", {{"T"}}, when::has_teams_number, change_number<-1>},
-    {ActionId::next_method, Group::teams, Icon::none, "Next method", "M", {{"m"}}, when::editing, next_method},
+    {ActionId::next_method, Group::teams, Icon::none, "Next method", "M", {{"m"}}, when::can_change_method, next_method},
     {ActionId::compare, Group::teams, Icon::compare, "Compare with another method", "K", {{"k"}}, when::editing, next_second_method},
     {ActionId::experiment, Group::teams, Icon::charts, "Compare all methods in charts", "Shift+K", {{"K"}}, when::editing,
      show<Dialog::experiment>},

@@ -36,6 +36,8 @@ bool by_own_hand(const AppState& s) {
   return has_teams_number(s) && settings(s).method == Method::given;
 }
 
+bool can_change_method(const AppState& s) { return editing(s) && !stays_by_hand(s); }
+
 bool can_even_out(const AppState& s) { return by_own_hand(s) && !s.view.challenge; }
 
 bool on_own_robot(const AppState& s) { return on_robot(s) && by_own_hand(s); }

@@ -237,7 +237,8 @@ void draw_further_settings(const Ui& ui) {
 }  // namespace
 
 void draw_settings(const Ui& ui) {
-  draw_method(ui);
+  const bool by_hand_alone = stays_by_hand(ui.state);
+  if (!by_hand_alone) draw_method(ui);
   // On a narrow screen the closed sheet already has this stepper.
   if (ui.layout.wide) draw_teams_stepper(ui);
   draw_ratio(ui);
@@ -248,7 +249,7 @@ void draw_settings(const Ui& ui) {
   draw_centre(ui);
   draw_further_settings(ui);
   draw_robot_size(ui);
-  if (!walkthrough_is_open(ui.state)) draw_compare(ui);
+  if (!walkthrough_is_open(ui.state) && !by_hand_alone) draw_compare(ui);
 }
 
 }  // namespace evenlift::view

@@ -3,6 +3,7 @@
 // only derive() writes it. No part depends on Dear ImGui.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -77,6 +78,15 @@ inline bool by_hand(const AppState& state) {
 // Return the members `settings` and `shown` of the present document. O(1).
 inline const Settings& settings(const AppState& state) { return state.work.document().settings; }
 inline const Shown& shown(const AppState& state) { return state.work.document().shown; }
+
+// Whether the robots are the user's to place, so that another method would give the answer away: in a
+// challenge, and in a task unless its teams may be changed. O(1).
+inline bool stays_by_hand(const AppState& state) {
+  if (!state.view.challenge || settings(state).method != Method::given) return false;
+  if (!state.view.task) return true;
+  const std::vector<Movable>& may = state.view.task->lesson.task->may;
+  return std::find(may.begin(), may.end(), Movable::teams) == may.end();
+}
 
 // Returns shown_placement() with its report. O(1).
 inline Reported reported(const AppState& state, bool second = false) {

@@ -11,7 +11,7 @@ export function plainValue(shown) {
 
 const number = String.raw`[-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][-+]?\d+)?`;
 const unit = "kg|t|N|lb|m|cm|mm|in";
-const one = new RegExp(`^(${number})(?:\\s*(?:(${unit})|×|°|%|deg|g|m/s2|m/s²))?$`);
+const one = new RegExp(`^(${number})(?:\\s*(?:(${unit})|×|°))?$`);
 const two = new RegExp(`^\\(?\\s*(${number})\\s*(?:[;,]\\s+|;|\\s+)\\s*(${number})\\s*\\)?$`);
 const twoWithComma = /^\(?\s*([-+]?[\d.eE+-]+)\s*,\s*([-+]?[\d.eE+-]+)\s*\)?$/;
 const twoWithUnits = new RegExp(
@@ -56,7 +56,7 @@ const strange = new RegExp(`^${number}\\s*([A-Za-zµ"'′″]+)$`);
 // stop; "" for neither. `setting` and `own` are as below; `isLength` marks a length, even without a unit.
 export function typedProblem(typed, setting, own, isLength) {
   const text = tidied(typed);
-  if (setting === "no_go") return "";
+  if (["no_go", ...ratios].includes(setting)) return "";
   if (setting !== "com" && grouped.test(text)) {
     const digits = text.replace(/\s*[a-z]+$/i, ""),
       whole = digits.replaceAll(",", ""),
@@ -89,6 +89,8 @@ export function typedProblem(typed, setting, own, isLength) {
   return say(pattern, { text, from, own });
 }
 
+const ratios = ["slope", "acceleration"]; // the program reads their units
+
 const known = ["all", "centroid", "no limit", "none"];
 const inEnglish = (text) =>
   known.find((word) => translated(word) !== word && translated(word).toLowerCase() === text.toLowerCase()) ?? text;
@@ -113,8 +115,7 @@ export function settingValue(typed, setting = "", own = "") {
   if (setting === "teams" && text.toLowerCase() === "all") return "max"; // as on the button
   if (setting === "capacity" && text.toLowerCase() === "no limit") return "none";
   // A number without a unit has the one that is shown.
-  if (setting === "slope") return slopeValue(text);
-  if (setting === "acceleration") return point(text);
+  if (ratios.includes(setting)) return setting === "slope" ? slopeValue(text) : point(text);
   const single = setting === "com" ? null : one.exec(text); // here "10,20" means two numbers
   if (single) return single[2] ? (converted(single[1], single[2], own) ?? text) : point(single[1]);
   const pair = two.exec(text);
