@@ -549,3 +549,32 @@ TEST_CASE("SVG: parts are named by the texts in them or beside them", "[import][
   CHECK(names_in(import) == std::vector<std::string>{"P1", "P2", "P3 left", "d"});
   CHECK(import.notes == std::vector<std::string>{"1 text was left out"});
 }
+
+TEST_CASE("SVG: rules for screens count, and the first that is not understood is named",
+          "[import][svg]") {
+  const auto svg = [](const std::string& style) {
+    return "<svg xmlns='http://www.w3.org/2000/svg'><style>" + style +
+           "</style><rect width='40' height='30'/><circle r='5' cx='100'/></svg>";
+  };
+  CHECK(read(svg("@media screen { circle { display: none } }")).shapes.size() == 1);
+  CHECK(read(svg("@media all{circle{display:none}}rect{width:50px}")).shapes.size() == 1);
+  CHECK(read(svg("@media print { circle { display: none } }")).shapes.size() == 2);
+  CHECK(read(svg("@font-face { font-family: x }")).notes.empty());
+  const auto note = [&](const std::string& style) {
+    const Import import = read(svg(style));
+    CHECK(import.shapes.size() == 2);
+    for (const std::string& each : import.notes)
+      if (each.find("not understood") != std::string::npos) return each;
+    return std::string();
+  };
+  CHECK(note("rect:nth-child(2) { display: none }") ==
+        "the style of \"rect:nth-child(2)\" was left out: it is not understood");
+  CHECK(note("@media (min-width: 1px) { circle { display: none } }") ==
+        "the style of \"@media (min-width: 1px)\" was left out: it is not understood");
+  CHECK(note("g > circle { fill: red }, .a .b { stroke: none }").find("\"g > circle\"") !=
+        std::string::npos);
+  CHECK(note("a:hover { cursor: pointer }").empty());  // nothing of shapes
+  std::string deep;
+  for (int i = 0; i < 100000; ++i) deep += "@media screen{";
+  CHECK(read(svg(deep)).shapes.size() == 2);
+}

@@ -541,3 +541,21 @@ TEST_CASE("an unfinished drawing that another tool replaces comes back with one 
     CHECK(state.view.tool == Tool::parts);
   }
 }
+
+TEST_CASE("the problem of a refused value goes with the next edit, whatever it changes", "[view]") {
+  AppState state;
+  begin(state, placed(document("(0,0)\n(400,0)\n(400,300)\n(0,300)\n")));
+  for (const bool shown_only : {true, false}) {
+    give(state, ShowNotice{{Notice::Kind::problem, "The slope must be a ratio."}});
+    if (shown_only) {
+      Shown changed = shown(state);
+      changed.carrying.slope = 0.3;
+      give(state, SetShown{changed});
+    } else {
+      Settings changed = settings(state);
+      changed.weight = 7;
+      give(state, SetSettings{changed});
+    }
+    CHECK(state.session.notice.text.empty());
+  }
+}

@@ -288,8 +288,10 @@ Document& edit(AppState& state, bool live, Edit edit) {
 
 void change_shown(AppState& state, const Shown& before, const Shown& after, bool live) {
   if (after == before) return;
-  if (seen_as(after, before) != before)
+  if (seen_as(after, before) != before) {
     begin_edit(state, live, edit_between({{}, {}, {}, before}, {{}, {}, {}, after}));
+    if (state.session.notice.kind == Notice::Kind::problem) show(state, {});  // it was mended
+  }
   state.work.show() = with_changes(shown(state), before, after);
 }
 

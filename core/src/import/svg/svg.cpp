@@ -407,6 +407,9 @@ void SvgReader::say_what_is_unseen() {
                     many = named ? say("hidden elements ({names})", {names}) : "hidden elements";
   for (std::size_t i = 0; i < hidden_; ++i) left_out.add(one, many);
   for (std::size_t i = 0; i < hairs_; ++i) left_out.add("loop of a hair", "loops of a hair");
+  if (!styles_.skipped().empty())
+    gathering_.note(say("the style of {selector} was left out: it is not understood",
+                        {in_quotes(clean_name(styles_.skipped()))}));
   if (takes_unpainted_ && unpainted_ > 0)
     gathering_.note(
         "nothing in the drawing has a fill or a stroke, so programs show none of its shapes");

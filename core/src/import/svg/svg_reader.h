@@ -192,6 +192,8 @@ class SvgStyles {
   // Whether a rule with a skipped selector sets a fill or stroke. If so, shapes that seem to have
   // no paint may have some.
   bool skipped_paint() const { return skipped_paint_; }
+  // The first selector or condition that is not understood, whose rule was skipped; or empty.
+  std::string_view skipped() const { return skipped_; }
 
  private:
   struct Selector {
@@ -212,12 +214,16 @@ class SvgStyles {
 
   static std::optional<Selector> simple_selector(std::string_view text);
   bool read_rules(std::string_view css);
+  bool read_at_rule(std::string_view heading, std::string_view block);
   bool read_rule(std::string_view selectors, std::string_view body);
+  void skip(std::string_view what);
   void apply(const Selector& selector, Cascade& cascade) const;
 
   std::string text_;                       // without comments
   std::vector<Declaration> declarations_;  // sorted; one for each selector and property
   bool skipped_paint_ = false;
+  std::string_view skipped_;
+  int depth_ = 0;  // of blocks
 };
 
 // --- Reads the view box of an SVG and its size on paper.

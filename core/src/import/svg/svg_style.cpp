@@ -269,8 +269,13 @@ bool SvgStyles::read_rules(std::string_view css) {
     if (is_white_space(css[at])) {
       ++at;
     } else if (css[at] == '@') {
-      const std::size_t end = find_outside(css, ";{", at, true);
-      at = end < css.size() && css[end] == '{' ? after_block(css, end) : end + 1;
+      const std::size_t open = find_outside(css, ";{", at, true);
+      const bool has_block = open < css.size() && css[open] == '{';
+      const std::size_t end = has_block ? after_block(css, open) : open + 1;
+      if (has_block &&
+          !read_at_rule(css.substr(at, open - at), css.substr(open + 1, end - open - 1)))
+        return false;
+      at = end;
     } else {
       const std::size_t open = find_outside(css, "{", at, false);
       const std::size_t end = after_block(css, open);
@@ -281,6 +286,28 @@ bool SvgStyles::read_rules(std::string_view css) {
     }
   }
   return true;
+}
+
+// Rules for screens count; those for paper, and blocks that are no rules, do not. A condition on the
+// screen, such as its width, is not known.
+bool SvgStyles::read_at_rule(std::string_view heading, std::string_view block) {
+  constexpr std::string_view media = "@media";
+  if (!same_word(heading.substr(0, media.size()), media)) return true;
+  const std::string_view condition = heading.substr(media.size());
+  constexpr int deepest = 8;
+  if (is_for_screens(condition) && depth_ < deepest) {
+    if (!block.empty() && block.back() == '}') block.remove_suffix(1);
+    ++depth_;
+    const bool read = read_rules(block);
+    --depth_;
+    return read;
+  }
+  if (condition.find('(') != std::string_view::npos) skip(heading);
+  return true;
+}
+
+void SvgStyles::skip(std::string_view what) {
+  if (skipped_.empty()) skipped_ = without_space(what);
 }
 
 std::optional<SvgStyles::Selector> SvgStyles::simple_selector(std::string_view text) {
@@ -304,14 +331,15 @@ bool SvgStyles::read_rule(std::string_view selectors, std::string_view body) {
   });
   for (std::size_t at = 0; at <= selectors.size();) {
     const std::size_t comma = find_outside(selectors, ",", at, true);
-    const std::optional<Selector> selector =
-        simple_selector(without_space(selectors.substr(at, comma - at)));
+    const std::string_view text = without_space(selectors.substr(at, comma - at));
+    const std::optional<Selector> selector = simple_selector(text);
     at = comma + 1;
     for (const StyleValue& value : values) {
       if (value.property == nullptr) continue;
       const SvgProperty property = value.property->property;
       if (!selector) {
         skipped_paint_ |= property == SvgProperty::fill || property == SvgProperty::stroke;
+        skip(text);
         continue;
       }
       if (declarations_.size() >= most_declarations) return false;
