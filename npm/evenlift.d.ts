@@ -85,7 +85,7 @@ export interface Settings {
   /** Greatest slope of the plane of the lifting points: a ratio, 8% or 4.6deg. */
   slope?: number | string | null;
   /** Greatest acceleration along the ground in any direction, in g or such as 2m/s2. */
-  acceleration?: number | null;
+  acceleration?: number | string | null;
   /** Length by which a robot gives way under the mean load. */
   give?: number | "none" | null;
   /** How much the ground or a robot's height is off at most; without --give, loads can reach those at worst. */

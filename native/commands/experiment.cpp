@@ -190,7 +190,8 @@ void cmd_experiment(const Arguments& arguments) {
              "greatest number of teams to measure (default 1000)");
   line.value(options.max_balanced, "--max-balanced", "M",
              "greatest number of balanced robots to measure, 2 to 64 (default 12)");
-  line.value(options.weight, "--weight", "W", "the weight of every object (default 100)");
+  line.value(options.weight, "--weight", "W",
+             "the weight of every object (default 100; with --cargo its own)");
   line.value(options.cargo, "--cargo", "\"X,Y:W[:NAME] ...\"",
              "loads fixed to every object, added to those of the files");
   line.value(options.robot, "--robot", "r=R,reach=G,...",

@@ -148,7 +148,13 @@ RunOutcome run_experiment(const std::vector<PolygonFile>& all, const Loading& lo
   for (std::size_t i = shard.i - 1; i < all.size(); i += shard.n) files.push_back(all[i]);
 
   std::vector<MeasuredPolygon> polygons = read_polygons(files);
-  for (MeasuredPolygon& polygon : polygons) loading(polygon.document);
+  for (MeasuredPolygon& polygon : polygons) {
+    try {
+      loading(polygon.document);
+    } catch (const Failure& failure) {  // such as more cargo than is possible
+      if (!polygon.refused) polygon.refused = Failure{failure.status, polygon.source, failure.what};
+    }
+  }
   std::vector<Work> works(polygons.size());
   {
     const std::vector<std::size_t> order = by_size(polygons);

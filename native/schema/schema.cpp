@@ -105,7 +105,8 @@ constexpr Named given[] = {
     {Setting::supports, "(Point | Support)[] | string"},
     {Setting::support_capacities, "(number | null)[] | string"},
     {Setting::cargo, "(Cargo | (Point, number) | (Point, number, string))[] | string"},
-    {Setting::slope, "number | string"}};
+    {Setting::slope, "number | string"},
+    {Setting::acceleration, "number | string"}};
 constexpr Named told[] = {{Setting::supports, "Position[]"},
                           {Setting::support_capacities, "(number | null)[]"},
                           {Setting::cargo, "CargoItem[]"},

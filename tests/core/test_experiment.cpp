@@ -362,6 +362,11 @@ TEST_CASE("the fingerprint tells inputs and settings apart", "[experiment]") {
   CHECK(experiment::fingerprint(document, {}) == all[0]);
   std::sort(all.begin(), all.end());
   CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
+  Document loaded = document;
+  loaded.settings.cargo = {{{500, 500}, 7, ""}};
+  Document heavier = loaded;
+  heavier.settings.weight = 200;
+  CHECK(experiment::fingerprint(loaded, {}) != experiment::fingerprint(heavier, {}));
   CHECK(experiment::fingerprint("") == "cbf29ce484222325");  // from the test vectors of FNV-1a
   CHECK(experiment::fingerprint("foobar") == "85944171f73967e8");
 }

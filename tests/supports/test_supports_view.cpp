@@ -305,6 +305,16 @@ TEST_CASE("a dragged vertex takes along the robots on its edges, and pushes thos
   }
 }
 
+TEST_CASE("the settings of another polygon include robots placed by hand", "[view][supports]") {
+  AppState state = piano_state();
+  give(state, SetMethod{Method::given});
+  Document edited =
+      with_settings_of(document("(0,0)\n(90,0)\n(90,90)\n(0,90)\n"), state.work.document());
+  CHECK(edited.settings.supports == supports(state));
+  keep_supports(edited);
+  CHECK(place(edited).ok());
+}
+
 TEST_CASE("a new outline begins with the method before, and one undo brings the robots back",
           "[view][supports]") {
   AppState state = piano_state();

@@ -646,4 +646,11 @@ TEST_CASE("DXF: parts without a text are named by their blocks, unless all are i
   const Import framed = read(drawing(insert("A3-Rahmen") + insert("bracket"), blocks));
   REQUIRE(framed.shapes.size() == 2);
   CHECK(framed.shapes[1].sheet);
+  // A plate and its holes in one block are a plate, whatever the block's name.
+  const Import plate = read(drawing(
+      insert("Frame"),
+      block("Frame", polyline({{0, 0}, {90, 0}, {90, 60}, {0, 60}}, "CUT") +
+                         polyline(square, "CUT") + polyline({{9, 9}, {12, 9}, {12, 12}}, "CUT"))));
+  REQUIRE(plate.shapes.size() == 1);
+  CHECK(plate.shapes[0].document.holes.size() == 2);
 }

@@ -387,6 +387,13 @@ TEST_CASE("parts are all shapes of a file, each with robots of its own", "[reque
   CHECK(bow["error"]["code"] == "edges_cross");
   CHECK(all["csv"].text().starts_with("shape,name,x,y,"));
 
+  SECTION("with names that are unique") {
+    const Json named = answer_json(
+        R"({"command": "parts", "text": "a\n0,0\n4,0\n4,3\n\na\n10,0\n14,0\n14,3\n\na (1)\n20,0\n24,0\n24,3\n"})");
+    CHECK(named["parts"][0]["name"] == "a (2)");
+    CHECK(named["parts"][1]["name"] == "a (3)");
+    CHECK(named["parts"][2]["name"] == "a (1)");
+  }
   SECTION("in the order that is asked for") {
     const Json sorted = parts(R"(, "weight_per_area": 2, "sort": "weight", "require": "max<=9")");
     CHECK(sorted["parts"][0]["name"] == "large");

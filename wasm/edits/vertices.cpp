@@ -197,7 +197,8 @@ namespace {
 bool leave_drawing(AppState& state) {
   const Points& points = state.view.drawing.points;
   if (!draws(state.view.tool) || points.size() < 2) return false;
-  state.view.left_drawing = {state.view.tool, points, state.work.edits()};
+  state.view.left_drawing = {state.view.tool, points, state.work.edits(),
+                             state.work.history.depth()};
   return true;
 }
 

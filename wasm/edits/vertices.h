@@ -50,7 +50,7 @@ void even_out_supports(AppState& state);
 // Robots placed by hand belong to the object. After an edit of its outline or holes,
 // carry_supports() moves those on the edges of `before` along, each with its part of its edge, and
 // keep_supports() moves those that would then be outside, or in a hole, to the nearest place of the
-// object. Neither does anything for other methods, or if the edited object is invalid. O(m n) for m
+// object. Neither does anything for other methods, nor keep_supports() if the edited object is invalid. O(m n) for m
 // robots.
 void carry_supports(Document& document, const PolygonGrip& before);
 void keep_supports(Document& document);

@@ -59,7 +59,7 @@ std::string shapes(const RequestMembers& members);
 // shape. First reports {"count", "columns"}, the columns' headings, then for each part in the order of
 // the text its number, name, width, height, weight (or null), robots, values (or null) and texts of the
 // columns, verdict and problem, outline and holes for a small picture, and open, the link or text that
-// opens it. {"csv"}, or {"problem"} if something typed is invalid.
+// opens it. {"csv", "notes"}, or {"problem"} if something typed is invalid.
 std::string place_parts(const RequestMembers& members);
 
 // link, lesson, the text of a lesson or "" for the main steps: the steps, to be printed

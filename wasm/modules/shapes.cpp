@@ -8,6 +8,7 @@
 #include "evenlift/formats.h"
 #include "evenlift/import.h"
 #include "evenlift/link.h"
+#include "evenlift/numbers.h"
 #include "evenlift/output/json_text.h"
 #include "evenlift/output/words.h"
 #include "evenlift/parts.h"
@@ -62,6 +63,19 @@ std::optional<std::string> typed(const RequestMembers& members, const char* name
   return text.empty() ? std::nullopt : std::optional(text);
 }
 
+// As with files of supports, lengths are converted only if both units are known.
+void convert_lengths(Document& document, LengthUnit to) {
+  const LengthUnit from = document.shown.units.length;
+  document.shown.units.length = to;
+  if (from == LengthUnit::none || from == to) return;
+  const double scale = in_metres(1, from) / in_metres(1, to);
+  for (const SettingRow& row : all_settings()) {
+    if (!row.is_length) continue;
+    const auto length = read_number(text_of(row.setting, document));
+    if (length) read_setting(row.setting, shortest(*length * scale), document);
+  }
+}
+
 // Prepares each shape's document. Returns what is wrong with the texts, if anything.
 std::optional<InputError> prepare(std::vector<ImportedShape>& shapes, bool have_settings,
                                   const WeightByArea& weight, const RequestMembers& members) {
@@ -70,7 +84,7 @@ std::optional<InputError> prepare(std::vector<ImportedShape>& shapes, bool have_
     const LengthUnit own = document.shown.units.length;
     if (!have_settings && !read_lines(members.text("settings"), document))
       return bad_setting({}, "the settings of the page cannot be read");
-    if (own != LengthUnit::none) document.shown.units.length = own;
+    if (own != LengthUnit::none) convert_lengths(document, own);
     if (const auto capacity = typed(members, "capacity"))
       if (auto wrong = read_setting(Setting::capacity, *capacity, document)) return wrong;
     if (auto wrong = set_weight(document, weight)) return wrong;
@@ -144,7 +158,13 @@ std::string place_parts(const RequestMembers& members) {
     results[row] = place_part(parts[row], shapes[row], {.weight_by_area = weight.typed()});
     report(part_json(parts[row], shapes[row], results[row]));
   }
-  return json::object({{"csv", json::text(parts_csv(rows, parts, results, false))}});
+  std::vector<std::string> notes;
+  if (auto doubt = doubtful_unit(weight, shapes[0].document.shown.units)) {
+    doubt->place = {};
+    notes.push_back(sentence(*doubt));
+  }
+  return json::object(
+      {{"csv", json::text(parts_csv(rows, parts, results, false))}, {"notes", json::texts(notes)}});
 }
 
 std::string shapes(const RequestMembers& members) {

@@ -33,10 +33,17 @@
 namespace evenlift::view {
 namespace {
 
-std::string open_with_these_settings(std::string_view text) {
+// The text of another polygon, or of the open one after it was edited.
+std::string open_with_these_settings(std::string_view text, bool same_object) {
   Result<Document> read = evenlift::read_polygon(text);
   if (!read) return sentence(read.error());
-  Result<Opened> polygon = opened_after(std::move(read).value(), app().state.work);
+  const Work& work = app().state.work;
+  const auto edited = [&] {
+    Document document = with_settings_of(*read, work.document());
+    keep_supports(document);
+    return opened(std::move(document));
+  };
+  Result<Opened> polygon = same_object ? edited() : opened_after(*read, work);
   if (!polygon) return sentence(polygon.error());
   Commands commands;
   commands.push_back(OpenDocument{std::move(polygon).value()});
@@ -121,9 +128,12 @@ EMSCRIPTEN_KEEPALIVE const char* page_settings_for_others() {
   return hand_over(settings_for_others(app().state.work.document()));
 }
 
-// All settings stay.
+// All settings stay; robots placed by hand do with an edited text, and with a sample do not.
 EMSCRIPTEN_KEEPALIVE const char* page_open_sample(const char* text) {
-  return hand_over(open_with_these_settings(text));
+  return hand_over(open_with_these_settings(text, false));
+}
+EMSCRIPTEN_KEEPALIVE const char* page_apply_text(const char* text) {
+  return hand_over(open_with_these_settings(text, true));
 }
 
 // For a small picture: {"centre": [x, y], "vertices": [[x, y], …]} and, if it has any, "holes",

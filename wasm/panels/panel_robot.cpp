@@ -264,6 +264,13 @@ constexpr LengthRow uneven{Setting::uneven, "Uneven by",
                            "How much the ground, or a robot's height, is off at most",
                            "Unevenness of the ground"};
 
+// With the digits of the ratio: 0.07 is 7%, although 100 times 0.07 is not 7.
+std::string exact_percentage(double ratio) {
+  constexpr double digits = 1e13;
+  const double percentage = std::round(100 * ratio * digits) / digits;
+  return shortest(percentage / 100 == ratio ? percentage : 100 * ratio) + "%";
+}
+
 // A ratio with a fixed step.
 struct RatioRow {
   double Carrying::*member;
@@ -278,7 +285,7 @@ const RatioRow ratios[] = {
      "Greatest slope, in any direction, of the plane in which the robots lift: the ground's, "
      "unless they level the object; type 8 or 8%, or 4.6°",
      "Greatest slope", [](double value) { return slope_in_words(value); },
-     [](double value) { return shortest(100 * value) + "%"; }},
+     [](double value) { return exact_percentage(value); }},
     {&Carrying::acceleration, Setting::acceleration, 0.05, "acceleration", "Braked at",
      "Greatest acceleration along the ground in any direction, in g, or with its unit: 2 m/s2",
      "Greatest acceleration, in g", [](double value) { return plain(value) + "\u00A0g"; },

@@ -31,9 +31,12 @@ struct Opened {
 // Opens the document, or returns why it is refused. Costs as much as place().
 Result<Opened> opened(Document document);
 
-// Opens another polygon. The settings and `shown` come from the present document, except those that
-// belong to its polygon: the step, the shown lengths and the no-go edges. Robots placed by hand
-// belong to it, too: the method is then the one before, with as many robots.
+// The polygon with the settings and `shown` of another document, except those that belong to its
+// edges and lengths: the step, the shown lengths and the no-go edges.
+Document with_settings_of(Document polygon, const Document& before);
+
+// Opens another polygon with_settings_of() the present document. Robots placed by hand belong to the
+// present polygon: the method is then the one before, with as many robots.
 Result<Opened> opened_after(Document polygon, const Work& work);
 
 // read_link() reads and opens a document from a link, and read_document() from a link or a

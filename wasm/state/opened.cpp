@@ -120,21 +120,26 @@ Result<Opened> opened(Document document) {
   return Opened{std::move(document), std::move(placement).value(), std::nullopt};
 }
 
-Result<Opened> opened_after(Document polygon, const Work& work) {
-  const Document& before = work.document();
+Document with_settings_of(Document polygon, const Document& before) {
   polygon.settings = before.settings;
-  if (before.settings.method == Method::given) {
-    const auto robots = static_cast<std::uint32_t>(before.settings.supports.size());
-    polygon.settings = with_method(before.settings, work.aside.method.value_or(Method::area), 3);
-    polygon.settings.teams = std::max(1u, robots / 2);
-    polygon.settings.robots = std::clamp(robots, fewest_robots(polygon.settings), most_robots);
-  }
   polygon.shown = before.shown;
-  polygon.shown.support_capacities.clear();
   polygon.shown.step.reset();
   for (const SettingRow& row : all_settings())
     if (row.changes == Changes::shown && row.is_length) read_setting(row.setting, "0", polygon);
   polygon.settings.no_go.clear();
+  return polygon;
+}
+
+Result<Opened> opened_after(Document polygon, const Work& work) {
+  const Document& before = work.document();
+  polygon = with_settings_of(std::move(polygon), before);
+  if (before.settings.method == Method::given) {
+    const auto robots = static_cast<std::uint32_t>(before.settings.supports.size());
+    polygon.settings = with_method(polygon.settings, work.aside.method.value_or(Method::area), 3);
+    polygon.settings.teams = std::max(1u, robots / 2);
+    polygon.settings.robots = std::clamp(robots, fewest_robots(polygon.settings), most_robots);
+    polygon.shown.support_capacities.clear();
+  }
   Result<Opened> next = opened(std::move(polygon));
   if (next) next->left_robots = before.settings.method == Method::given;
   return next;

@@ -190,7 +190,8 @@ struct Drawing {
 struct LeftDrawing {
   Tool tool = Tool::draw;
   Points points;
-  std::uint64_t edits = 0;  // Work::edits() at that time
+  std::uint64_t edits = 0;  // Work::edits() and the history's depth at that time
+  std::size_t depth = 0;
 };
 
 // The object when the user grabbed it, or a vertex of it, with the robots placed by hand.

@@ -347,7 +347,8 @@ std::string closed_in_words(const Placement& placement, std::size_t robot) {
 }
 
 bool can_go_on_drawing(const AppState& state) {
-  return state.view.left_drawing && state.view.left_drawing->edits == state.work.edits() &&
+  const std::optional<LeftDrawing>& left = state.view.left_drawing;
+  return left && left->edits == state.work.edits() && left->depth == state.work.history.depth() &&
          state.view.drawing.points.empty();
 }
 

@@ -73,8 +73,10 @@ export async function openCard(
     foldButton().replaceChildren(icon(folded ? "unfolds" : "folds"));
   }
   function fold() {
+    const within = root.contains(document.activeElement);
     root.classList.toggle("folded");
     tellFold();
+    if (within) foldButton().focus({ preventScroll: true }); // what had it may be hidden now
     seat();
   }
   if (folds) tellFold();

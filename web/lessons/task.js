@@ -11,7 +11,7 @@ export async function show(page, { again, done }) {
   const list = el("ul", { class: "goals" });
   const state = el("p", { class: "second", role: "status" });
   const answer = el("div", { class: "second" });
-  const brief = el("p", { class: "brief" });
+  const brief = el("p", { class: "brief", role: "status" });
   const copy = button("Copy result", { onclick: copyResult }, "copy");
   const leave = new AbortController();
   let shown = "";
@@ -105,9 +105,12 @@ export async function show(page, { again, done }) {
     list.replaceChildren(...goals.map(row), ...changed.map(changedRow));
     state.textContent = translated(kept ? "Done! Copy the result to hand it in." : may);
     const met = goals.filter((goal) => goal.kept).length;
+    const [notAllowed] = changed;
     brief.textContent = kept
       ? state.textContent
-      : say("{title}: {met} of {goals}", { title: begun.title, met, goals: goals.length });
+      : notAllowed
+        ? say("You changed {what}, which this task does not allow. Undo brings it back.", { what: notAllowed })
+        : say("{title}: {met} of {goals}", { title: begun.title, met, goals: goals.length });
     card.root.classList.toggle("done", kept);
     copy.classList.toggle("primary", kept);
     if (kept && !celebrated) {

@@ -75,6 +75,7 @@ export class Bindings {
       program,
       copy,
       address: (link, challenge) => this.#address(link, challenge),
+      sharedAddress: (link) => this.#sharedAddress(link),
       placesAddress: (link, challenge) => this.#placesAddress(link, challenge),
       lessonAddress: (lesson) => this.#lessonAddress(lesson),
       leavePlaces: () => history.replaceState(history.state, "", withPlaces(new URL(location.href))),
@@ -224,15 +225,12 @@ export class Bindings {
 
   // In a task, the link of the task as it begins: the result is copied by the task's own button.
   async copyAddress(link) {
-    const bare = this.#program.number("page_task_is_open") === 1 && this.#publisher.lesson().lesson;
-    const url = this.#address(bare ? "" : link);
+    const url = this.#sharedAddress(link);
     const done = await underWay(copy(url));
     this.#publisher.notice(
       done
-        ? bare
-          ? "The link to the task is copied, without what you did: “Copy result” copies that."
-          : `${translated("The link is copied.")} ${this.#aboutLink(url)}`
-        : "The browser did not allow copying. The address bar holds the same link.",
+        ? `${translated("The link is copied.")} ${this.#aboutLink(url)}`
+        : "The browser did not allow copying. Share and save shows the same link.",
       !done,
     );
   }
@@ -262,6 +260,12 @@ export class Bindings {
     return withLesson(url, { ...this.#publisher.lesson(), challenge }).href;
   }
 
+  // A task is shared as it begins.
+  #sharedAddress(link) {
+    const isTask = this.#program.number("page_task_is_open") === 1 && this.#publisher.lesson().lesson;
+    return this.#address(isTask ? "" : link);
+  }
+
   // Of a lesson that is a link, alone.
   #lessonAddress(lesson) {
     const url = new URL(location.href);
@@ -279,6 +283,8 @@ export class Bindings {
   // The link's contents and omissions, then its length.
   #aboutLink(url) {
     const { lesson } = this.#publisher.lesson();
+    if (lesson && !linkIn(new URL(url).hash))
+      return translated("It holds the task as it begins, without what you did: “Copy result” copies that.");
     const ownWords = this.#program.number("page_script") && !lesson;
     const lacking = [
       this.#program.text("page_link_lacks"),

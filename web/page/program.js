@@ -1,7 +1,7 @@
 // Loads and calls the program: texts, bytes and numbers in; texts, JSON and numbers out.
 
 // These open a text.
-const opening = ["page_load", "page_open_link", "page_open_sample", "page_open_lesson"];
+const opening = ["page_load", "page_open_link", "page_open_sample", "page_apply_text", "page_open_lesson"];
 
 // A file did not arrive, or the files are of different versions; the cause says more.
 export class NotLoaded extends Error {

@@ -61,13 +61,17 @@ async function openShapes(page, source) {
 }
 
 function chooseShape(page, source, found, tolerance) {
+  const table = (now, flattened) => {
+    several = { source, found: now, tolerance: flattened };
+    return allShapes(page, source, now, flattened);
+  };
   if (found.shapes.length > 1) several = { source, found, tolerance };
   return showShapes({
     ...source,
     found,
     tolerance,
     choose: (shape, now) => openShape(page, source, shape, now),
-    all: (now) => allShapes(page, source, now, tolerance),
+    all: table,
   });
 }
 
@@ -172,7 +176,7 @@ export async function show(page, { edited } = {}) {
           page,
           text.value,
           "The text",
-          edited === undefined ? {} : { how: "page_open_sample", name: openedName(page.program) },
+          edited === undefined ? {} : { how: "page_apply_text", name: openedName(page.program) },
         ),
       ),
     );

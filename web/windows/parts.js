@@ -124,8 +124,9 @@ class Parts {
     try {
       const { text, tolerance, settings } = this.#source;
       const request = { command: "place_parts", text, tolerance, settings, ...Object.fromEntries(typed) };
-      const { csv } = await askOnce(request, signal, progress);
+      const { csv, notes } = await askOnce(request, signal, progress);
       this.#csv = csv;
+      this.problem.say(notes.join(" "));
       this.save.disabled = false;
       this.#show(this.#shown);
     } catch (error) {
@@ -161,6 +162,7 @@ class Parts {
       { head: "Verdict", key: ({ verdict }) => worst.indexOf(verdict), ascends: true },
     ];
     this.#order = undefined;
+    this.#back = false;
     this.head.replaceChildren(
       el("td"),
       ...this.#columns.map((column) =>
@@ -190,7 +192,8 @@ class Parts {
 
   #show(count) {
     this.#shown = count;
-    const rows = this.#order ? [...this.#rows].sort(inOrder(this.#order)) : this.#rows;
+    const rows = [...this.#rows];
+    if (this.#order) rows.sort(inOrder(this.#order));
     if (this.#back) rows.reverse();
     this.body.replaceChildren(...rows.slice(0, count).map((row) => this.#row(row)));
     this.#hideEmpty();

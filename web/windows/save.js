@@ -70,9 +70,7 @@ const files = [
 
 export async function show(page) {
   const link = page.program.text("page_link");
-  // A task is shared as it begins.
-  const isTask = page.program.number("page_task_is_open") === 1 && /[?&]lesson=|L\d+\./.test(location.href);
-  const address = link && page.address(isTask ? "" : link);
+  const address = link && page.sharedAddress(link);
   const problem = problemLine();
   const root = await openWindow({
     name: "save",

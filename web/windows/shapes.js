@@ -190,6 +190,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose, all
     problem.say(again.problem);
     if (again.problem) return curves.focus();
     found = again;
+    tolerance = wanted ?? 0;
     fill();
     told.textContent = translated("The curves are flattened again. The list shows the new numbers of vertices.");
   }
@@ -199,7 +200,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose, all
   const table = button("All in a table …", {
     onclick: () => {
       root.close();
-      underWay(all(found));
+      underWay(all(found, tolerance));
     },
   });
   table.hidden = found.shapes.length < 2;

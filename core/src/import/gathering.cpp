@@ -518,13 +518,19 @@ void Gathering::nest_outlines() {
   const bool names_differ = std::any_of(all.begin(), all.end(), [&](const ImportedShape& shape) {
     return shape.name != all.front().name;
   });
+  const auto block_number = [&](const Drawn& drawn) {
+    return drawn.copy == 0 ? blocks_.size() : copies_[drawn.copy - 1];
+  };
+  const bool blocks_differ = std::any_of(drawn_.begin(), drawn_.end(), [&](const Drawn& drawn) {
+    return block_number(drawn) != block_number(drawn_.front());
+  });
   std::vector<ClosedOutline> outlines;
   for (std::size_t i = 0; i < import.shapes.size(); ++i) {
     const ImportedShape& shape = import.shapes[i];
     const Document& document = shape.document;
     const std::size_t copy = drawn_[i].copy;
-    const bool is_named =
-        (names_differ && names_sheet(shape.name)) || (copy > 0 && names_sheet(block_of(copy)));
+    const bool is_named = (names_differ && names_sheet(shape.name)) ||
+                          (blocks_differ && copy > 0 && names_sheet(block_of(copy)));
     outlines.push_back({&document.vertices, &document.holes, drawn_[i].filled,
                         drawn_[i].white || is_named, is_of_size(document.vertices, paper)});
   }

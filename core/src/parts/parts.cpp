@@ -14,12 +14,18 @@
 namespace evenlift {
 namespace {
 
-// Equal names get numbers.
+// Equal names get numbers, but not such that make other names.
 void make_unique(std::vector<Part>& parts) {
   std::map<std::string, std::size_t> counts, used;
   for (const Part& part : parts) ++counts[part.name];
-  for (Part& part : parts)
-    if (counts[part.name] > 1) part.name += " (" + std::to_string(++used[part.name]) + ")";
+  for (Part& part : parts) {
+    if (counts[part.name] == 1) continue;
+    std::string numbered;
+    do {
+      numbered = part.name + " (" + std::to_string(++used[part.name]) + ")";
+    } while (counts.contains(numbered));
+    part.name = std::move(numbered);
+  }
 }
 
 Result<Placement> placed(Document& document, const PartsAsked& asked, Beside& beside) {

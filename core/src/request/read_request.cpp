@@ -263,6 +263,8 @@ Problem Reader::take_polygon(Index object, Request& request) {
   if (!read) return read.error();
   request.document = std::move(read).value();
   if (auto wrong = take_settings(object, request.document)) return wrong;
+  if (const auto doubt = doubtful_unit(request.weight, request.document.shown.units))
+    request.notices.push_back(sentence(*doubt));
   return set_weight(request.document, request.weight);
 }
 

@@ -122,7 +122,7 @@ class Settings(TypedDict, total=False):
     """Height of the centre of mass, with cargo, above the lifting points: at which slope it tips."""
     slope: Optional[Union[float, str]]
     """Greatest slope of the plane of the lifting points: a ratio, 8% or 4.6deg."""
-    acceleration: Optional[float]
+    acceleration: Optional[Union[float, str]]
     """Greatest acceleration along the ground in any direction, in g or such as 2m/s2."""
     give: Optional[Union[float, Literal["none"]]]
     """Length by which a robot gives way under the mean load."""

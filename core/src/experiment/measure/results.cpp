@@ -126,7 +126,9 @@ std::string fingerprint(std::string_view bytes) {
 }
 
 std::string fingerprint(const Document& document, const ExperimentSettings& settings) {
-  const std::string weight = settings.weight ? "" : shortest(document.settings.weight) + "\n";
+  // With cargo, C depends on the weight even if the loads are those of another.
+  const bool counts = !settings.weight || !document.settings.cargo.empty();
+  const std::string weight = counts ? shortest(document.settings.weight) + "\n" : "";
   return fingerprint(csv::line(csv::settings_fields(settings)) + weight + write_thesis(document));
 }
 
