@@ -238,7 +238,8 @@ TEST_CASE("only what a task allows may be changed", "[task]") {
   };
   CHECK(changed("robots", move_vertex) == Names{"the outline"});
   const auto replace = [](Document& d) { d = corpus::polygon("guitar"); };
-  CHECK(changed("robots", replace) == Names{"the whole object, as if it were of another lesson"});
+  CHECK(changed("robots", replace) ==
+        Names{"the whole object, as if it were of another lesson or number"});
   CHECK(changed("vertices", move_vertex).empty());
   CHECK(changed("robots", cut_hole) == Names{"the holes"});
   CHECK(changed("teams", move_centre) == Names{"the centre of mass"});

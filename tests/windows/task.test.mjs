@@ -30,7 +30,7 @@ async function goals(page) {
 }
 const ticks = (page) => card(page).locator(".tick.kept").count();
 
-const says = (page, words) => card(page).locator('[role="status"]', { hasText: words }).waitFor();
+const says = (page, words) => card(page).locator('.said [role="status"]', { hasText: words }).waitFor();
 
 async function copied(page) {
   await page.locator("#task .ways").getByRole("button", { name: "Copy result" }).click();
@@ -98,9 +98,9 @@ test("what a task does not allow is said, and undo brings it back", async () => 
   await card(page).waitFor();
   await set(page, { weight: 90 });
   await idle(page);
-  await card(page).getByText("You changed the weight, which this task does not allow.").waitFor();
+  await card(page).locator(".goals").getByText("You changed the weight, which this task does not allow.").waitFor();
   await undo(page);
-  await card(page).getByText("You changed").waitFor({ state: "detached" });
+  await card(page).locator(".goals").getByText("You changed").waitFor({ state: "detached" });
   await set(page, { cargo: "381.4,389.6:40:motor" });
   await says(page, "Done!");
   // The answer takes a second press.

@@ -227,7 +227,7 @@ std::vector<std::string> changed_against(const Task& task, const Document& start
           return std::find(start.vertices.begin(), start.vertices.end(), vertex) !=
                  start.vertices.end();
         });
-    if (is_other) return {"the whole object, as if it were of another lesson"};
+    if (is_other) return {"the whole object, as if it were of another lesson or number"};
     if (start.vertices != now.vertices) changed.emplace_back("the outline");
     if (start.holes != now.holes) changed.emplace_back("the holes");
   }
