@@ -511,7 +511,7 @@ test("every ready-made lesson opens from the window, and every stop has its word
     }
     assert.equal(new URL(page.url()).search, `?lesson=${lesson.name}`);
   }
-  await page.locator("#task").getByRole("button", { name: "Close" }).click();
+  await page.locator("#task").getByRole("button", { name: "Leave the task" }).click();
   await page.waitForFunction(() => location.search === "");
   await page.done();
 });
