@@ -122,7 +122,7 @@ Result<Points> JsonShapes::points(Index array) {
   Points ring;
   for (Index i = tree_.first(array); i != tree_.end(array); i = tree_.next(i)) {
     if (ring.size() > max_vertices)  // one more may close the ring
-      return error(i, ErrorCode::too_many_vertices, "the polygon has more than 1048576 vertices");
+      return error(i, ErrorCode::too_many_vertices, no_more_vertices);
     const Result<Vec2> at = point(i);
     if (!at) return at.error();
     ring.push_back(*at);
