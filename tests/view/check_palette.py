@@ -18,7 +18,8 @@ root = pathlib.Path(__file__).resolve().parent.parent.parent
 problems = []
 
 # Roles whose names differ from the theme's.
-in_css = {"line": "panel_line", "second": "second_text", "on-accent": "on_accent", "amber-ground": "amber_ground"}
+in_css = {"line": "panel_line", "second": "second_text", "on-accent": "on_accent", "amber-ground": "amber_ground",
+          "object-outline": "object_outline", "hull-outline": "hull_outline"}
 in_svg = {"line": "panel_line", "outline": "object_outline", "clockwise": "clockwise_line", "counterclockwise": "counter_line", "overload": "amber", "slide": "amber",
           "no_go": "amber", "unusable": "quiet", "body": "robot", "cargo": "chord"}
 

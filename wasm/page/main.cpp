@@ -321,6 +321,12 @@ EMSCRIPTEN_KEEPALIVE const char* page_controls() {
   return hand_over(controls_json(app().state.session.screen.zoom));
 }
 
+// Takes the page's fonts, before the first frame.
+EMSCRIPTEN_KEEPALIVE void page_fonts(const unsigned char* regular, int regular_size,
+                                     const unsigned char* semibold, int semibold_size) {
+  give_fonts({regular, regular + regular_size}, {semibold, semibold + semibold_size});
+}
+
 // Takes the larger fonts (letters.h).
 EMSCRIPTEN_KEEPALIVE void page_letters(const unsigned char* regular, int regular_size,
                                        const unsigned char* semibold, int semibold_size) {

@@ -13,12 +13,17 @@
 namespace evenlift::view {
 namespace {
 
+// The page gives the files that its HTML also uses (page_fonts()); natively they are embedded.
+#ifdef __EMSCRIPTEN__
+constexpr unsigned char regular[] = {0}, semibold[] = {0};
+#else
 constexpr unsigned char regular[] = {
 #include "Inter-Regular.otf.inc"
 };
 constexpr unsigned char semibold[] = {
 #include "Inter-SemiBold.otf.inc"
 };
+#endif
 
 // Kept for as long as Dear ImGui may read them.
 std::vector<unsigned char> given_regular, given_semibold;

@@ -241,8 +241,9 @@ export class Bindings {
     open(this.#address(linkIn(location.hash), challenge), "_blank", "noopener");
   }
 
+  // Settles when it is open, or cannot be.
   openDialog(name) {
-    underWay(
+    return underWay(
       this.#windows()
         .then((all) => all[name](this.#page))
         .catch(() => {}),

@@ -18,7 +18,10 @@ export async function speak() {
   const words = await fetch(`words-${name}.json`)
     .then((answer) => answer.json())
     .catch(() => undefined);
-  if (!words) return;
+  if (!words) {
+    document.documentElement.lang = "en"; // cover.js expected it
+    return;
+  }
   addTranslations(words);
   document.documentElement.lang = name;
   translateElements();

@@ -40,6 +40,7 @@ function showProblem(reason, [heading, advice] = cannotRun) {
     ...[reason, advice].map((text) => Object.assign(document.createElement("p"), { textContent: translated(text) })),
   );
   problem.hidden = false;
+  cover.classList.add("told");
   cover.classList.remove("done", "see-through");
 }
 
@@ -110,10 +111,46 @@ function introduce(program) {
     addEventListener(type, ends, { once: true, capture: true, passive: true });
 }
 
+// To visitors who may be new to evenlift, if nothing but a language is asked for.
+const isFirst = () => /^(\?lang=\w*)?$/.test(location.search) && !read(lasting, "evenlift.welcomed");
+
+// What was pressed on the cover (cover.js) happens now. A click is passed on as the mouse's, at its place.
+function pass(pressed) {
+  const canvas = document.getElementById("canvas");
+  for (const event of pressed) {
+    if (event instanceof KeyboardEvent) {
+      canvas.dispatchEvent(new KeyboardEvent(event.type, event));
+      continue;
+    }
+    const { clientX, clientY } = event;
+    for (const [type, buttons] of Object.entries({ mousemove: 0, mousedown: 1, mouseup: 0 })) {
+      const options = { clientX, clientY, buttons, detail: 1, bubbles: true, cancelable: true };
+      canvas.dispatchEvent(new MouseEvent(type, options));
+    }
+  }
+}
+
+// The first visit's card is in the HTML until its window is loaded, which then does what was pressed on it.
+async function welcome(bindings, pressed) {
+  const first = document.getElementById("first");
+  const ways = [...first.querySelectorAll("button")];
+  let way = ways.findIndex((button) => button.contains(pressed?.target));
+  ways.forEach((button, i) => {
+    button.addEventListener("click", () => {
+      ways[way]?.classList.remove("pressed");
+      way = i;
+      button.classList.add("pressed");
+    });
+  });
+  await bindings.openDialog("firstVisit");
+  first.remove();
+  document.querySelectorAll("#welcome .ways button")[way]?.click();
+}
+
 let started; // by beginStart()
 
 // After the first frame, when the user can begin.
-function loadTheRest(program, bindings, { begins, introduces }) {
+function loadTheRest(program, bindings, { begins, introduces, pressed }) {
   for (const type of ["pointerdown", "keydown"]) addEventListener(type, workGoesOn, { capture: true, passive: true });
   if (embed) return;
   // Without this module, undo starts empty.
@@ -121,10 +158,8 @@ function loadTheRest(program, bindings, { begins, introduces }) {
   underWay(import("./offline.js"))
     .then(({ keepForOffline }) => keepForOffline(() => bindings.openDialog("newVersion")))
     .catch(() => {});
-  const isPlain = /^(\?lang=\w*)?$/.test(location.search); // a link in a language is for newcomers, too
-  const isFirst = isPlain && !read(lasting, "evenlift.welcomed");
-  if (introduces && isFirst) introduce(program);
-  if (begins && isFirst) bindings.openDialog("firstVisit");
+  if (introduces && isFirst()) introduce(program);
+  if (begins) underWay(welcome(bindings, pressed));
 }
 
 // Without WebGL 2 the link's polygon is a still picture. The kept work of other visits stays unchanged. Returns the
@@ -179,6 +214,7 @@ async function start() {
   if (!program.number("page_draws")) {
     hasBegun = true;
     afterPicture = await startStill(program, publisher, bindings);
+    document.getElementById("first").remove();
     cover.classList.add("done");
     return api.ready();
   }
@@ -212,6 +248,9 @@ async function start() {
   if (kept.own || started.problem) publisher.nameInAddress();
   if (!started.fragment) publisher.resumeDrawing(started.drawing);
   bindings.connect(program, connectScreen(program), { embed });
+  // The picture makes room for the first visit's card from the start, as the cover does.
+  const welcomes = !fragment && !lesson && !kept.work && !embed && isFirst();
+  if (welcomes) program.call("page_make_room", document.getElementById("first").offsetHeight);
   connectInput(program, field, { embed });
   followAddress(
     program,
@@ -224,9 +263,12 @@ async function start() {
   const message = started.problem || (problem && refusedAtStart(problem, started)) || (embed ? "" : whyStartedAnew());
   if (message) program.call("page_notice", message, 1);
   await Promise.race([firstPicture, stopped]);
+  // The first frame measures the panels, and the second has the object in its place.
+  await new Promise((done) => requestAnimationFrame(done));
   if (program.stopped) await stopped;
   started.succeeded?.();
   cover.classList.add("done");
+  const pressed = window.pressedOnCover?.() ?? [];
   if (started.fragment && !problem) publisher.adopt(fragment);
   program.onOpening = (text) => {
     publisher.flush({ drawn: true });
@@ -239,6 +281,11 @@ async function start() {
   };
   performance.mark("ready"); // what is loaded from here on does not delay the first picture
   const isTouched = firstTouch();
+  const ofCard = (event) => event.target.closest?.("#first button");
+  pass(pressed.filter((event) => !ofCard(event)));
+  const begins = welcomes && pressed.every(ofCard) && !isTouched();
+  if (!begins) document.getElementById("first").remove();
+  if (welcomes && !begins) program.call("page_make_room", 0);
   underWay(loadMirror(program, field, publisher)).then(
     (drawn) => {
       afterPicture = drawn;
@@ -251,8 +298,9 @@ async function start() {
     (error) => console.warn("The controls cannot be reached by keys: they could not be loaded.", error),
   );
   loadTheRest(program, bindings, {
-    begins: !fragment && !lesson && !kept.work && !isTouched(),
-    introduces: fragment && !lesson && !problem && !kept.own && !isTouched(),
+    begins,
+    pressed: pressed.at(-1),
+    introduces: fragment && !lesson && !problem && !kept.own && !pressed.length && !isTouched(),
   });
   api.ready();
 }

@@ -21,13 +21,33 @@ async function compile(name) {
 // After a new version was published, the browser may have kept some files of the old one. Makes it take all anew.
 async function notLoaded(cause) {
   if (cause instanceof WebAssembly.CompileError) throw cause; // the browser cannot run it
-  await Promise.allSettled(["page.js", "evenlift.js", "evenlift.wasm"].map((name) => fetch(name, { cache: "reload" })));
+  await Promise.allSettled(
+    ["page.js", "evenlift.js", "evenlift.wasm", ...Object.values(fonts)].map((name) =>
+      fetch(name, { cache: "reload" }),
+    ),
+  );
   throw new NotLoaded(cause);
 }
 
+// The page's typeface, by weight. The canvas and the HTML have it from the same bytes; characters that it lacks, such
+// as letters of other languages, come from the system.
+const fonts = { 400: "Inter-Regular.otf", 600: "Inter-SemiBold.otf" };
+
+async function font([weight, name]) {
+  const answer = await fetch(name);
+  if (!answer.ok) throw new Error(`${name}: ${answer.status}`);
+  const bytes = await answer.arrayBuffer();
+  document.fonts.add(new FontFace("Inter", bytes, { weight }));
+  return new Uint8Array(bytes);
+}
+
 export async function loadProgram(options) {
-  const files = Promise.all([import("./evenlift.js"), compile("evenlift.wasm")]);
-  const [{ default: createModule }, compiled] = await files.catch(notLoaded);
+  const files = Promise.all([
+    import("./evenlift.js"),
+    compile("evenlift.wasm"),
+    Promise.all(Object.entries(fonts).map(font)),
+  ]);
+  const [{ default: createModule }, compiled, faces] = await files.catch(notLoaded);
   const module = await new Promise((done, fail) => {
     const instantiateWasm = (given, receive) => {
       const instance = WebAssembly.instantiate(compiled, given).catch(notLoaded);
@@ -36,7 +56,9 @@ export async function loadProgram(options) {
     };
     createModule({ ...options, instantiateWasm }).then(done, fail);
   });
-  return new Program(module);
+  const program = new Program(module);
+  program.call("page_fonts", ...faces);
+  return program;
 }
 
 export class Program {

@@ -40,6 +40,7 @@ export async function show(page, { first = false } = {}) {
       ),
     ],
     focus: !first,
+    attributes: { class: "seat-card welcome" },
     closed: () => {
       leave.abort();
       write(lasting, welcomedKey, "1");
