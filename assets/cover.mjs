@@ -34,7 +34,7 @@ function stretched(line) {
   let axis = y;
   const d = attribute(line, "d").replace(/-?\d+(\.\d+)?/g, (text) => {
     axis = axis === x ? y : x;
-    return tenths(Number(text) - axis.low);
+    return String(Math.round(Number(text) - axis.low));
   });
   return line
     .replace(/ d="[^"]*"/, ` d="${d}"`)
@@ -78,4 +78,5 @@ const withGerman = page.replace(/<span class="said">([^<]*)<\/span>/g, (english,
   if (!german[text]) throw new Error(`${words} has no "${text}"`);
   return `${english}<span class="said" lang="de" hidden>${german[text]}</span>`;
 });
-writeFileSync(output, withGerman.replace(place, picture));
+const short = (text) => text.replace(/ *<!--.*?-->\n/gs, "").replace(/^ +/gm, "");
+writeFileSync(output, short(withGerman.replace(place, picture)));

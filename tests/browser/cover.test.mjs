@@ -28,10 +28,13 @@ async function visit({ address = "", held = /evenlift\.wasm/, fail = false, visi
 }
 
 const boxOf = (page, selector) =>
-  page.evaluate((name) => {
-    const { left, top, right, bottom } = document.querySelector(name).getBoundingClientRect();
-    return [left, top, right, bottom];
-  }, selector);
+  page
+    .locator(selector)
+    .first()
+    .evaluate((element) => {
+      const { left, top, right, bottom } = element.getBoundingClientRect();
+      return [left, top, right, bottom];
+    });
 
 const boxOfObject = (page) =>
   page.evaluate(() => {
@@ -124,7 +127,6 @@ test("a press between the first picture and the card's window happens, too", asy
 
 test("keys and clicks on the cover's picture wait for the program", async () => {
   const { page, letGo, close } = await visit({ visited: true });
-  await page.locator(".picture .robot").first().waitFor();
   const [left, top, right, bottom] = await boxOf(page, ".picture .robot");
   await page.keyboard.press("d"); // draw
   await page.mouse.click((left + right) / 2, (top + bottom) / 2); // the first vertex

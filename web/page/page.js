@@ -215,6 +215,7 @@ async function start() {
     hasBegun = true;
     afterPicture = await startStill(program, publisher, bindings);
     document.getElementById("first").remove();
+    window.pressedOnCover?.();
     cover.classList.add("done");
     return api.ready();
   }
