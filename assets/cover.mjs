@@ -31,11 +31,15 @@ if (stated !== ratio) throw new Error(`the opening sample is ${ratio} times as w
 
 // --- What fills the box
 function stretched(line) {
-  let axis = y;
-  const d = attribute(line, "d").replace(/-?\d+(\.\d+)?/g, (text) => {
-    axis = axis === x ? y : x;
-    return String(Math.round(Number(text) - axis.low));
-  });
+  const points = numbersIn(attribute(line, "d"));
+  let d = "";
+  let before = [0, 0];
+  for (let i = 0; i < points.length; i += 2) {
+    const at = [Math.round(points[i] - x.low), Math.round(points[i + 1] - y.low)];
+    d += `${i ? "l" : "M"}${at[0] - before[0]} ${at[1] - before[1]}`; // relative numbers are short
+    before = at;
+  }
+  if (/Z$/.test(attribute(line, "d"))) d += "z";
   return line
     .replace(/ d="[^"]*"/, ` d="${d}"`)
     .replace(/ stroke-linejoin="round"/, ' stroke-linejoin="round" vector-effect="non-scaling-stroke"');

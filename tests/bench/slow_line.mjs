@@ -9,7 +9,14 @@ import { pageFolder, startBrowser, wide } from "../page/browser.mjs";
 const bytesPerSecond = 400000 / 8;
 const latency = 40; // milliseconds
 
-const types = { ".css": "text/css", ".html": "text/html", ".js": "text/javascript", ".json": "application/json", ".svg": "image/svg+xml", ".wasm": "application/wasm" };
+const types = {
+  ".css": "text/css",
+  ".html": "text/html",
+  ".js": "text/javascript",
+  ".json": "application/json",
+  ".svg": "image/svg+xml",
+  ".wasm": "application/wasm",
+};
 
 function serve(folder) {
   const packed = new Map();
@@ -33,7 +40,12 @@ async function visit(browser, address, { move = false } = {}) {
   const page = await context.newPage();
   const session = await context.newCDPSession(page);
   await session.send("Network.enable");
-  await session.send("Network.emulateNetworkConditions", { offline: false, latency, downloadThroughput: bytesPerSecond, uploadThroughput: bytesPerSecond });
+  await session.send("Network.emulateNetworkConditions", {
+    offline: false,
+    latency,
+    downloadThroughput: bytesPerSecond,
+    uploadThroughput: bytesPerSecond,
+  });
   await page.addInitScript(() => {
     const now = () => performance.now();
     globalThis.seen = {};
@@ -76,8 +88,10 @@ for (const folder of process.argv.length > 2 ? process.argv.slice(2) : [pageFold
   for (const move of [false, true]) {
     const all = [];
     for (let i = 0; i < 3; ++i) all.push(await visit(browser, address, { move }));
-    const best = (name) => (Math.min(...all.map((one) => one[name])) / 1000).toFixed(1);
-    console.log(`${folder}${move ? ", the mouse moves" : ""}: first paint ${best("paint")} s, first picture ${best("picture")} s, first press answered ${best("answer")} s`);
+    const best = (name) => (Math.min(...all.map((one) => one[name])) / 1000).toFixed(2);
+    console.log(
+      `${folder}${move ? ", the mouse moves" : ""}: first paint ${best("paint")} s, first picture ${best("picture")} s, first press answered ${best("answer")} s`,
+    );
   }
   server.close();
 }

@@ -1,5 +1,5 @@
 // Runs before the page is shown, and before anything else of it arrives. Says which cover belongs to this visit
-// (page.css), and keeps what is pressed until the page is ready (page.js).
+// (page.css), asks for the program, and keeps what is pressed until the page is ready (page.js).
 {
   const root = document.documentElement;
   const stored = (storage, key) => {
@@ -18,6 +18,13 @@
   // Something other than the opening sample comes.
   if (location.hash.length > 1 || works || !isPlain) root.classList.add("opens");
   else if (stored(lasting, "evenlift.welcomed")) root.classList.add("knows");
+
+  // Only now: on a slow line they would delay what is seen first.
+  const add = (name, properties) => document.head.append(Object.assign(document.createElement(name), properties));
+  add("script", { type: "module", src: "page.js" });
+  add("link", { rel: "modulepreload", href: "evenlift.js" });
+  for (const href of ["Inter-Regular.otf", "Inter-SemiBold.otf", "evenlift.wasm"])
+    add("link", { rel: "preload", as: "fetch", crossOrigin: "", href });
 
   const most = 20;
   const kept = [];
