@@ -22,7 +22,9 @@ RECORDS = {1: ("robots", int), 2: ("goal", str), 3: ("min_margin", float), 4: ("
            11: ("units", str), 12: ("cargo", str), 13: ("holes", list), 17: ("support_capacities", str), 18: ("halo", str), 19: ("moved", str), 20: ("clear", float), 30: ("accuracy", float),
            21: ("supports", list), 22: ("snap", float), 15: ("com_height", float), 23: ("slope", float),
            24: ("acceleration", float), 25: ("give", float), 26: ("uneven", float), 27: ("extra", float), 28: ("tilt", str),
-           29: ("load", str)}
+           29: ("load", str), 31: ("readings", str), 32: ("reading_error", str), 33: ("level_error", float),
+           34: ("readings_tilted", str), 35: ("tilted", float), 36: ("heading", str), 37: ("dynamic", float),
+           38: ("weight_doubt", float)}
 DOUBLES = 23  # the scale that numbers every double
 
 

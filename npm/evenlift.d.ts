@@ -92,6 +92,22 @@ export interface Settings {
   uneven?: number | null;
   /** A further weight, such as a person: where it may stand. */
   extra?: number | "none" | null;
+  /** What each support reads, without tare: gives the weight and the centre of mass. */
+  readings?: readonly number[] | string | null;
+  /** How far a reading may be off: a part of each, such as 1%, or a weight. */
+  reading_error?: number | string | null;
+  /** How far the lifting points may be from level while one reads, as a slope. */
+  level_error?: number | string | null;
+  /** What each support reads on the slope of --tilted: gives the height of C. */
+  readings_tilted?: readonly number[] | string | null;
+  /** Slope of the second weighing: a ratio, 8% or 5deg. */
+  tilted?: number | string | null;
+  /** Direction uphill of the second weighing: a vector, or an angle such as 90deg. */
+  heading?: Point | string | null;
+  /** Factor on the greatest loads before they meet a capacity, such as 1.2 (default 1). */
+  dynamic?: number | null;
+  /** How far the weight may be off, either way: a part of it, such as 5%. */
+  weight_doubt?: number | string | null;
 }
 
 /** A point of a request: x to the right, y up; a third coordinate is left out, with a notice. */
@@ -195,6 +211,8 @@ export interface PlaceOptions extends Settings, PolygonOptions, WeightOptions {
   failures?: boolean | null;
   /** Moves two or three supports to the edge so that all carry the same load. */
   even_out?: boolean | null;
+  /** The loads in each case. */
+  cases?: boolean | null;
   /** Conditions, such as `held, max<=20`. */
   require?: string;
 }
@@ -377,6 +395,8 @@ export interface Robustness {
   failures_steady: number;
   /** The number of failures after which C is still at least `clear` inside. */
   failures_clear: number;
+  /** The tipping distance less `accuracy`, divided by how far the given conditions move the weight; `null` if they do not. */
+  safety: number | null;
   /** For each robot: the greatest change in its load by springs per unit of length that C moves; `null` if `models` is. */
   load_per_length: number[] | null;
   /** With a C uncertainty only: as given. */
@@ -502,7 +522,7 @@ export interface Capacity {
   com_radius: number | null;
   /** On the page `null` for balanced robots until it has been computed, since each number requires a search. */
   if_one_fails: FailurePlan | null;
-  /** The greatest planned load as a part of its robot's capacity, under all given conditions; `null` if the object falls or tips under them. */
+  /** The greatest use of a robot, under all given conditions; `null` if the object falls or tips under them. */
   use: number | null;
 }
 
@@ -524,6 +544,50 @@ export interface Effective {
   apart: number;
   /** The setting, or its default of 1e-4 L. */
   snap: number;
+}
+
+/** What the readings of supports tell. */
+export interface Weighing {
+  /** Of the object with its cargo. */
+  weight: number;
+  /** How far it may be off. */
+  weight_error: number;
+  /** Of the object with its cargo. */
+  centre_of_mass: Position;
+  /** How far that may be off: by errors of readings, `accuracy`, and the height of C times `level_error`. */
+  radius: number;
+  /** By how much each reading differs from what equally stiff supports on even ground would read; `null` if fewer than four carry. */
+  residuals: number[] | null;
+  /** Whether errors of readings, and uneven ground if it is given, explain these. */
+  fit: boolean | null;
+  /** If they do not: the support whose wrong reading would explain most, counted from 0, if it is the only one of at least five that carry. */
+  suspect: number | null;
+  /** If they do not: by how much each support reads too little if its reading alone is wrong. */
+  too_little: number[] | null;
+  /** Of C above the lifting points, from a second weighing on a slope. */
+  height: number | null;
+  /** How far that may be off. */
+  height_error: number | null;
+  /** Whether the second readings add up to the same weight, or to its part across the slope. */
+  height_fits: boolean | null;
+}
+
+/** A case of loading. */
+export interface LoadCase {
+  /** The condition that alone counts; all of them; or all of them after a robot has failed. */
+  name: "level" | "com" | "slope" | "acceleration" | "uneven" | "all" | "failure";
+  /** That robot, counted from 0. */
+  failed: number | null;
+  /** The greatest load, as planned; after a failure by springs. `null` if the object falls or can tip. */
+  greatest: number | null;
+  /** Whose it is. */
+  robot: number | null;
+  /** The least load; after a failure only without conditions. */
+  least: number | null;
+  /** The greatest use of a robot. */
+  use: number | null;
+  /** Whether the object stands and cannot tip. */
+  stays: boolean;
 }
 
 /** A support that was moved to even out the loads. */
@@ -591,6 +655,22 @@ export interface Placement {
   give?: number;
   /** How much the ground or a robot's height is off at most; without --give, loads can reach those at worst; only if it is set. */
   uneven?: number;
+  /** What each support reads, without tare: gives the weight and the centre of mass; only with supports. */
+  readings?: number[];
+  /** How far a reading may be off: a part of each, such as 1%, or a weight; only with supports. */
+  reading_error?: number | string;
+  /** How far the lifting points may be from level while one reads, as a slope; only with supports. */
+  level_error?: number;
+  /** What each support reads on the slope of --tilted: gives the height of C; only with supports. */
+  readings_tilted?: number[];
+  /** Slope of the second weighing: a ratio, 8% or 5deg; only with supports. */
+  tilted?: number;
+  /** Direction uphill of the second weighing: a vector, or an angle such as 90deg; only with supports. */
+  heading?: Position;
+  /** Factor on the greatest loads before they meet a capacity, such as 1.2 (default 1); only if it is set. */
+  dynamic?: number;
+  /** How far the weight may be off, either way: a part of it, such as 5%; only if it is set. */
+  weight_doubt?: number;
   /** If they are asked for: in order of slope, for every method, even if it does not use candidates. */
   candidates?: Candidate[];
   /** With `max` the number of candidates, and with `balanced` and `given` 1. */
@@ -641,6 +721,12 @@ export interface Placement {
   tilt: Tilt | null;
   /** With `extra` only. */
   extra?: ExtraLoad;
+  /** With `readings` only. */
+  weighing?: Weighing;
+  /** With capacities only: how much of each robot is used, its greatest planned load under all given conditions, times `dynamic` and 1 + `weight_doubt`, divided by its capacity; `null` without one. */
+  use?: (number | null)[];
+  /** With `cases` only: the loads in each case. */
+  cases?: LoadCase[];
   /** With `capacity` or a support's own capacity only. */
   capacity?: Capacity;
   /** If conditions are required. */

@@ -37,7 +37,7 @@ struct PlaceOptions {
   WeightByArea weight;
   TableOptions table;
   RobustnessOptions robustness;
-  bool as_json = false, candidates = false, even_out = false;
+  bool as_json = false, candidates = false, even_out = false, cases = false;
   std::optional<std::string> require;
   std::optional<std::string> svg;
   PoseFileOptions poses;

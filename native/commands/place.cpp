@@ -7,6 +7,7 @@
 #include "evenlift/output/quantities.h"
 #include "evenlift/output/svg.h"
 #include "evenlift/output/verdict.h"
+#include "evenlift/output/weighing_words.h"
 #include "evenlift/placement.h"
 #include "evenlift/supports.h"
 #include "evenlift/tolerance.h"
@@ -25,7 +26,7 @@ std::string robot_table(const Reported& of, const LoadColumn& loads) {
   std::vector<Row> rows = {{"robot", "at", loads.heading}};
   if (given) rows[0].insert(rows[0].begin() + 2, "stands");
   if (report.has_own_capacities) rows[0].push_back("capacity");
-  if (report.has_capacities) rows[0].push_back(loads.overloaded);
+  if (report.has_capacities) rows[0].insert(rows[0].end(), {"use", loads.overloaded});
   for (std::size_t i = 0; i < team.robots.size(); ++i) {
     const bool carries = placement.loads.has_value();
     rows.push_back({std::to_string(i + 1), words.at[i], carries ? loads.text[i] : "-"});
@@ -34,7 +35,11 @@ std::string robot_table(const Reported& of, const LoadColumn& loads) {
                          team.robots[i].point.edge == beneath ? "beneath" : "at the edge");
     if (report.has_own_capacities)
       rows.back().push_back(report.capacities[i] ? plain(*report.capacities[i]) : "-");
-    if (report.has_capacities) rows.back().push_back(of.report.is_overloaded(i) ? "yes" : "-");
+    if (report.has_capacities) {
+      const bool known = i < report.use.size() && report.use[i];
+      rows.back().push_back(known ? use_in_words(report.use[i]) : "-");
+      rows.back().push_back(report.is_overloaded(i) ? "yes" : "-");
+    }
   }
   return table(rows);
 }
@@ -135,13 +140,17 @@ std::string for_people(const Reported& of, bool with_candidates,
     const std::string line =
         of.report.overloaded.empty() ? capacity_in_words(of) : needs_in_words(of);
     if (!line.empty()) sentences += line + "\n";
+    if (const std::string use = use_in_words(of); !use.empty()) sentences += use + "\n";
   }
   sentences += robustness_lines(of);
+  if (const std::string weighing = weighing_in_words(of); !weighing.empty())
+    sentences += weighing + "\n";
   for (const std::string& misfit : misfits_in_words(of)) sentences += misfit + "\n";
   if (beside.evened_out) sentences += moves_in_words(*beside.evened_out, of) + "\n";
   for (const Requirement& requirement : requirements)
     sentences += requirement_in_words(requirement) + "\n";
   if (placement.loads && !of.report.failures.empty()) tables += failure_table(of) + "\n";
+  if (beside.cases) tables += case_table(of, *beside.cases) + "\n";
   if (with_candidates && !placement.candidates.empty()) tables += candidate_table(placement) + "\n";
   return sentences + "\n" + tables + facts(of);
 }
@@ -188,7 +197,7 @@ struct Outputs {
 
 Outputs make_outputs(const Input& input, const PlaceOptions& options,
                      const std::optional<PosesAsked>& poses, Asked asked,
-                     const std::vector<Condition>& conditions, const Beside& beside) {
+                     const std::vector<Condition>& conditions, Beside beside) {
   Waiting waiting("placing the robots");
   const Result<Placement> placement = place(input.document);
   if (!placement) throw options.input.settings.failure(input.source, placement.error());
@@ -205,6 +214,7 @@ Outputs make_outputs(const Input& input, const PlaceOptions& options,
   asked.failures |= need_failures(conditions);
   complete(report, shown, asked);
   const std::vector<Requirement> requirements = check_conditions({shown, report}, conditions);
+  if (options.cases) beside.cases = load_cases(shown);
   Outputs outputs;
   if (options.svg) outputs.svg = picture({shown, report}, input.document, options.candidates);
   if (poses) outputs.poses = poses_text(shown, poses->format, poses->options);
@@ -255,7 +265,7 @@ void cmd_place(const Arguments& arguments) {
   const Asked asked = asked_by(options.robustness, input.document.shown);
   Beside beside;
   if (options.even_out) beside.evened_out = even_out(input, options);
-  const Outputs outputs = make_outputs(input, options, pose_file, asked, conditions, beside);
+  const Outputs outputs = make_outputs(input, options, pose_file, asked, conditions, std::move(beside));
   if (outputs.svg) write_file(*options.svg, *outputs.svg);
   if (outputs.poses) write_file(pose_file->file, *outputs.poses);
   write_output(outputs.printed);

@@ -22,7 +22,10 @@ void PlaceOptions::declare(CommandLine& line) {
   input.settings.declare(line, OptionGroup::uncertainty);
   input.settings.declare(line, OptionGroup::units);
   robustness.declare(line);
+  line.flag(input.settings.weigh, "--weigh",
+            "the file of --supports has a column of readings: they give the weight and C");
   line.flag(even_out, "--even-out", "move given supports to the nearest places with equal loads");
+  line.flag(cases, "--cases", "the loads in each case: each condition alone, all, each failure");
   line.value(require, "--require", "\"CONDITION, ...\"",
              "such as \"held, coverage>=0.8, max<=20\"; exit status 3 if one is not kept");
   line.flag(as_json, "--json", "one JSON object instead of a table");

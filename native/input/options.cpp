@@ -45,8 +45,30 @@ Value value_or_refusal(Setting setting, const std::optional<Value>& value,
   return *value;
 }
 
-void supports_option(const std::string& text, Document& document) {
-  if (!read_setting(Setting::supports, text, document)) return;
+// The readings of a file of supports.
+void take_readings(const SupportFile& read, const std::string& file, Document& document) {
+  if (read.readings.size() != read.places.size())
+    throw Failure{bad_input_status, "--weigh",
+                  read.readings.empty()
+                      ? file + " has no column of readings, such as \"reading (kg)\""
+                      : "a support in " + file + " has no reading"};
+  if (read.reading_unit == 0.0)
+    throw Failure{bad_input_status, "--weigh",
+                  "the unit of the readings is not known; it may be kg, t, N, kN or lb"};
+  std::string text;
+  for (const double reading : read.readings)
+    text += (text.empty() ? "" : " ") +
+            shortest(reading * read.reading_unit.value_or(1) /
+                     (read.reading_unit ? in_kilograms(1, document.shown.units.weight) : 1));
+  setting_option(Setting::readings, text, document);
+}
+
+void supports_option(const std::string& text, Document& document, bool weigh) {
+  if (!read_setting(Setting::supports, text, document)) {
+    if (weigh)
+      throw Failure{bad_input_status, "--weigh", "applies to --supports with a file of supports"};
+    return;
+  }
   const std::optional<std::string> file = read_file(text);
   if (!file && text.find(',') == std::string::npos)
     throw Failure{bad_input_status, "--supports",
@@ -66,8 +88,13 @@ void supports_option(const std::string& text, Document& document) {
   for (const Vec2& place : by_contact ? read->contacts : read->places)
     document.settings.supports.push_back(place * scale);
   document.shown.support_capacities = read->capacities;
+  if (read->capacity_unit)
+    for (std::optional<double>& capacity : document.shown.support_capacities)
+      if (capacity)
+        capacity = *capacity * *read->capacity_unit / in_kilograms(1, document.shown.units.weight);
   document.settings.method = Method::given;
   document.moved = {};
+  if (weigh) take_readings(*read, text, document);
 }
 
 }  // namespace
@@ -132,11 +159,16 @@ void SettingOptions::apply(Document& document) const {
   for (const SettingRow& row : all_settings())
     if (typed(row.setting) && row.setting != Setting::supports && row.setting != Setting::cargo)
       setting_option(row.setting, *typed(row.setting), document);
+  if (weigh && !typed(Setting::supports))
+    throw Failure{bad_input_status, "--weigh", "applies to --supports with a file of supports"};
   if (const Typed& cargo = typed(Setting::cargo)) add_cargo(*cargo, document);
   // The file of supports may need the unit. Supports set the method; another is refused below.
   const Method method = document.settings.method;
-  if (const Typed& supports = typed(Setting::supports)) supports_option(*supports, document);
+  if (const Typed& supports = typed(Setting::supports)) supports_option(*supports, document, weigh);
   if (typed(Setting::method)) document.settings.method = method;
+  if (is_weighed(document.settings) && typed(Setting::weight))
+    throw Failure{bad_input_status, "--weight",
+                  "the readings give the weight: leave out the weight, or the readings"};
   for (const SettingRow& row : all_settings())
     if (typed(row.setting))
       if (const std::string why = why_unused(row, document.settings); !why.empty())

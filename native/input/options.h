@@ -34,6 +34,8 @@ void add_cargo(const std::string& text, Document& document);
 class SettingOptions {
  public:
   void declare(CommandLine& line, OptionGroup group);
+  // The file of supports has what they read.
+  bool weigh = false;
 
   // Applies the typed settings. Throws Failure with the option's name if a text is invalid, or if
   // the method does not use the setting. Combinations of settings are checked later, with the rest

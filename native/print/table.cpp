@@ -6,6 +6,7 @@
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/output/markup.h"
 #include "evenlift/output/robustness_words.h"
+#include "evenlift/output/weighing_words.h"
 #include "evenlift/output/words.h"
 #include "input/command_line.h"
 #include "input/options.h"
@@ -116,6 +117,20 @@ std::string robustness_lines(const Reported& of) {
         extra_in_words(of), failures_in_words(of)})
     if (!line.empty()) text += line + "\n";
   return text;
+}
+
+std::string case_table(const Reported& of, const std::vector<LoadCase>& cases) {
+  const auto row_of = [](const CaseInWords& words) {
+    Row row{words.name, words.greatest, words.robot, words.least};
+    if (!words.use.empty()) row.push_back(words.use);
+    row.push_back(words.stays);
+    return row;
+  };
+  std::vector<Row> rows{row_of(headings_of_cases(of))};
+  for (const CaseInWords& words : cases_in_words(of, cases)) rows.push_back(row_of(words));
+  std::vector<std::string> remarks(rows.size());
+  if (const auto worst = worst_case(cases)) remarks[*worst + 1] = "worst";
+  return table(rows, remarks);
 }
 
 std::string failure_table(const Reported& of) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "evenlift/cases.h"
 #include "evenlift/report.h"
 #include "input/command_line.h"
 
@@ -41,6 +42,9 @@ LoadColumn load_column(const Reported& of);
 // Sentences about the loads, the given conditions, slopes, a further load and failures, as far as
 // the report has them, with a line for each subject. The text is empty if the robots carry no loads.
 std::string robustness_lines(const Reported& of);
+
+// A table with a row for each case of loading; the worst is marked.
+std::string case_table(const Reported& of, const std::vector<LoadCase>& cases);
 
 // A table with a row for the failure of each robot; empty if the report has none.
 std::string failure_table(const Reported& of);

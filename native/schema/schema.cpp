@@ -106,10 +106,21 @@ constexpr Named given[] = {
     {Setting::support_capacities, "(number | null)[] | string"},
     {Setting::cargo, "(Cargo | (Point, number) | (Point, number, string))[] | string"},
     {Setting::slope, "number | string"},
-    {Setting::acceleration, "number | string"}};
+    {Setting::acceleration, "number | string"},
+    {Setting::readings, "number[] | string"},
+    {Setting::reading_error, "number | string"},
+    {Setting::level_error, "number | string"},
+    {Setting::readings_tilted, "number[] | string"},
+    {Setting::tilted, "number | string"},
+    {Setting::heading, "Point | string"},
+    {Setting::weight_doubt, "number | string"}};
 constexpr Named told[] = {{Setting::supports, "Position[]"},
                           {Setting::support_capacities, "(number | null)[]"},
                           {Setting::cargo, "CargoItem[]"},
+                          {Setting::readings, "number[]"},
+                          {Setting::reading_error, "number | string"},
+                          {Setting::readings_tilted, "number[]"},
+                          {Setting::heading, "Position"},
                           {Setting::clear, "number | null"},
                           {Setting::apart, "number | null"}};
 

@@ -53,6 +53,7 @@ constexpr TypeMember place_options[] = {
     {"failures?", "boolean | null", "the effect of each robot's failure"},
     {"even_out?", "boolean | null",
      "moves two or three supports to the edge so that all carry the same load"},
+    {"cases?", "boolean | null", "[the loads in each case](who-bears-what.md#cases)"},
     {"require?", "string", "[conditions](cli.md#conditions), such as `held, max<=20`"}};
 constexpr TypeMember weight_options[] = {
     {"weight_per_area?", "number | string | null",
@@ -308,8 +309,7 @@ constexpr TypeMember capacity[] = {
     {"if_one_fails", "FailurePlan | null",
      "on the page `null` for balanced robots until it has been computed, since each number requires a search"},
     {"use", "number | null",
-     "the greatest planned load as a part of its robot's capacity, under all given conditions; `null` if the object falls "
-     "or tips under them"}};
+     "the greatest use of a robot, under all given conditions; `null` if the object falls or tips under them"}};
 
 constexpr TypeMember requirement[] = {
     {"condition", "string", ""},
@@ -321,6 +321,37 @@ constexpr TypeMember effective[] = {
      "the setting, or its default of 2 % of R; with `given` less by 1e-4 L, since places that are typed have few digits"},
     {"apart", "number", "the setting, or its default of 12 % of R"},
     {"snap", "number", "the setting, or its default of 1e-4 L"}};
+
+constexpr TypeMember weighing[] = {
+    {"weight", "number", "of the object with its cargo"},
+    {"weight_error", "number", "how far it may be off"},
+    {"centre_of_mass", "Position", "of the object with its cargo"},
+    {"radius", "number",
+     "how far that may be off: by errors of readings, `accuracy`, and the height of C times `level_error`"},
+    {"residuals", "number[] | null",
+     "by how much each reading differs from what equally stiff supports on even ground would read; `null` if fewer than "
+     "four carry"},
+    {"fit", "boolean | null", "whether errors of readings, and uneven ground if it is given, explain these"},
+    {"suspect", "integer | null",
+     "if they do not: the support whose wrong reading would explain most, counted from 0, if it is the only one of at "
+     "least five that carry"},
+    {"too_little", "number[] | null",
+     "if they do not: by how much each support reads too little if its reading alone is wrong"},
+    {"height", "number | null", "of C above the lifting points, from a second weighing on a slope"},
+    {"height_error", "number | null", "how far that may be off"},
+    {"height_fits", "boolean | null",
+     "whether the second readings add up to the same weight, or to its part across the slope"}};
+
+constexpr TypeMember load_case[] = {
+    {"name", R"("level" | "com" | "slope" | "acceleration" | "uneven" | "all" | "failure")",
+     "the condition that alone counts; all of them; or all of them after a robot has failed"},
+    {"failed", "integer | null", "that robot, counted from 0"},
+    {"greatest", "number | null",
+     "the greatest load, as planned; after a failure by springs. `null` if the object falls or can tip"},
+    {"robot", "integer | null", "whose it is"},
+    {"least", "number | null", "the least load; after a failure only without conditions"},
+    {"use", "number | null", "the greatest use of a robot"},
+    {"stays", "boolean", "whether the object stands and cannot tip"}};
 
 constexpr TypeMember evened_out[] = {{"robot", "integer", "counted from 0"},
                                      {"from", "Position", "where the support stood"},
@@ -382,6 +413,11 @@ constexpr TypeMember placement[] = {
     {"failures?", "Failure[]", "if they are asked for"},
     {"tilt", "Tilt | null", "when the object tips; `null` without a height of C"},
     {"extra?", "ExtraLoad", "with `extra` only"},
+    {"weighing?", "Weighing", "with `readings` only"},
+    {"use?", "(number | null)[]",
+     "with capacities only: how much of each robot is used, its greatest planned load under all given conditions, times "
+     "`dynamic` and 1 + `weight_doubt`, divided by its capacity; `null` without one"},
+    {"cases?", "LoadCase[]", "with `cases` only: [the loads in each case](who-bears-what.md#cases)"},
     {"capacity?", "Capacity", "with `capacity` or a support's own capacity only"},
     {"requirements?", "Requirement[]", "if conditions are required"},
     {"effective", "Effective", "lengths that settings have here, whether or not they are set"},
@@ -529,6 +565,8 @@ constexpr Type types[] = {
      {},
      R"("no_go" | "body" | "arm" | "corner" | "hand" | "hole" | "near_no_go" | "narrow")"},
     {"Effective", "The values of settings whose defaults depend on the object.", effective},
+    {"Weighing", "What the readings of supports tell.", weighing},
+    {"LoadCase", "A case of loading.", load_case},
     {"EvenedOut", "A support that was moved to even out the loads.", evened_out},
     {"Placement", "What evenlift place --json prints.", placement},
     {"GreedyChoice", "", greedy},

@@ -361,6 +361,12 @@ TEST_CASE("no setting changes a plan unnoticed", "[capacity][slow]") {
       {"snap", {"5"}},
       {"support_capacities", {"none"}},
       {"cargo", {"300,300:40", "500,500:300"}},
+      {"readings", {"10 20 30"}},
+      {"reading_error", {"1%", "2"}},
+      {"level_error", {"0.1"}},
+      {"readings_tilted", {"10 20 30"}},
+      {"tilted", {"0.1"}},
+      {"heading", {"1,0"}},
   };
   std::vector<Document> documents;
   for (const char* name : {"grand-piano", "puzzle-piece"}) {

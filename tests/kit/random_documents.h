@@ -165,6 +165,21 @@ inline void take_random_supports(Rng& rng, Document& document) {
   document.settings.method = Method::given;
   document.settings.supports = random_vertices(rng, 1 + rng.below(12));
   if (rng.below(2) == 0) document.settings.snap = rng.uniform();
+  if (rng.below(2) == 0) {
+    Weighed& weighed = document.settings.weighed;
+    const auto readings = [&] {
+      std::vector<double> all(document.settings.supports.size());
+      for (double& each : all)
+        if (rng.below(4) > 0) each = std::fabs(any_double(rng, max_weight));
+      return all;
+    };
+    weighed.readings = readings();
+    if (rng.below(2) == 0) weighed.error.percent = 100 * rng.uniform();
+    if (rng.below(2) == 0) weighed.level_error = rng.uniform();
+    if (rng.below(2) == 0) weighed.tilted_readings = readings();
+    if (rng.below(2) == 0) weighed.tilted = rng.uniform();
+    if (rng.below(2) == 0) weighed.heading = Vec2(1 + rng.uniform(), -rng.uniform());
+  }
   if (rng.below(2) == 0) return;
   auto& capacities = document.shown.support_capacities;
   capacities.resize(document.settings.supports.size());

@@ -341,11 +341,11 @@ void Derivation::plan() {
   facts_.plan_due = false;
   facts_.plan.reset();
   drop_count(facts_, effects_);
-  const std::optional<double>& capacity = now_.shown.capacity;
-  if (!capacity) return;
-  facts_.plan = compute_plan(*facts_.placement, *capacity);
+  if (!now_.shown.capacity) return;
+  const double limit = limit_of(*now_.shown.capacity, now_.shown.carrying);
+  facts_.plan = compute_plan(*facts_.placement, limit);
   if (facts_.placement->settings.method != Method::balanced)
-    facts_.spare = plan_for_failures({*facts_.placement, now_.shown}, *capacity);
+    facts_.spare = plan_for_failures({*facts_.placement, now_.shown}, limit);
 }
 
 void Derivation::tell_loads() {

@@ -77,7 +77,8 @@ std::string search(const RequestMembers& members) {
       task_of(members.text("polygon"), members.text("settings"), members.text("robots"));
   if (!task) return problem("the search cannot begin");
   if (!task->counted) return search_to_its_end(*task);
-  return found(plan_text(plan_for_failures({*task->counted, task->shown}, *task->shown.capacity)));
+  const double limit = limit_of(*task->shown.capacity, task->shown.carrying);
+  return found(plan_text(plan_for_failures({*task->counted, task->shown}, limit)));
 }
 
 }  // namespace evenlift::view

@@ -118,7 +118,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_state() {
   // The second number of balanced robots takes a search of its own.
   const bool plans = report.if_one_fails || of.placement.settings.method != Method::balanced;
   if (!plans && of.shown.capacity)
-    report.plan = evenlift::plan_capacity(of.placement, *of.shown.capacity);
+    report.plan = evenlift::plan_capacity(
+        of.placement, evenlift::limit_of(*of.shown.capacity, of.shown.carrying));
   evenlift::complete(report, of,
                      {.models = true, .failures = failing(state) != nullptr, .plans = plans});
   report.known.plans = true;

@@ -23,19 +23,26 @@ std::uint32_t most_teams_tried(const Settings& settings);
 // neither is given. Robots are numbered as in find_robot() (loads.h). O(1).
 std::optional<double> capacity_of(const ShownPlacement& of, std::size_t robot);
 
+// The load without dynamic effects that a robot with this capacity may be expected to carry: the
+// capacity divided by the dynamic factor and by 1 + the uncertainty of the weight. Loads are compared
+// with this. O(1).
+double limit_of(double capacity, const Carrying& carrying);
+
 // has_capacities() returns whether any robot has a capacity, and has_own_capacities() whether given
 // supports have their own. O(1).
 bool has_capacities(const ShownPlacement& of);
 bool has_own_capacities(const ShownPlacement& of);
 
-// The numbers of the robots whose loads exceed their capacities. The first function takes the
-// planned loads, the second the given `loads`. O(robots).
+// The numbers of the robots whose loads exceed what they may carry (limit_of()). The first function
+// takes the planned loads, the second the given `loads`. O(robots).
 std::vector<std::size_t> overloaded_robots(const ShownPlacement& of);
 std::vector<std::size_t> overloaded_robots(const ShownPlacement& of,
                                            const std::vector<double>& loads);
 
-// The result of capacity_of() for each robot. O(robots).
+// capacities_of() returns the result of capacity_of() for each robot, and limits_of() that of
+// limit_of(). O(robots).
 std::vector<std::optional<double>> capacities_of(const ShownPlacement& of);
+std::vector<std::optional<double>> limits_of(const ShownPlacement& of);
 
 // Whether any robot's load by springs may exceed the robot's capacity after a failure, within the
 // disturbance (uncertainty.h) for which `rest` was computed. False if the other robots do not carry
@@ -66,7 +73,7 @@ struct CapacityPlan {
 inline constexpr double most_work_planned = 0.5;
 
 // Makes a plan for the object of `placement`, a result of place(), with its candidates. Each robot
-// carries up to `capacity` > 0, in the unit of the weight. The plan depends on the polygon, the
+// carries up to `capacity` > 0, in the unit of the weight; pass limit_of() a capacity. The plan depends on the polygon, the
 // holes, the centre of mass, and all settings that affect loads except the number of teams or
 // robots.
 //

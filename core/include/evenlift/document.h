@@ -21,6 +21,7 @@ inline constexpr double max_length = max_coordinate;      // a given size or dis
 inline constexpr double min_length = 1e-100;              // a given length above 0
 inline constexpr double max_slope = 1;                    // slope of the ground, 45 degrees
 inline constexpr double max_acceleration = 10;            // acceleration along the ground, in g
+inline constexpr double max_dynamic = 10;                 // factor on loads
 inline constexpr double max_weight = 1e100;               // a weight or a capacity
 inline constexpr double min_weight = 1e-100;              // a weight or a capacity
 inline constexpr std::size_t max_vertices = 1u << 20;     // vertices of a polygon with its holes
@@ -124,6 +125,8 @@ std::string_view name(WeightUnit unit);  // such as "kg"
 // A length in metres. It is rounded only once if the unit is a decimal fraction of a metre. Without
 // a unit, the number stays the same. O(1).
 double in_metres(double length, LengthUnit unit);
+// A weight in kilograms, with standard gravity. O(1).
+double in_kilograms(double weight, WeightUnit unit);
 
 // What the picture shows in addition to the polygon and its robots.
 struct Overlays {
@@ -176,6 +179,27 @@ struct Cargo {
   bool operator==(const Cargo&) const = default;
 };
 
+// How far the reading of a support may be off: a percentage of it, 0 .. 100, or a weight,
+// 0 .. max_weight. Only one of them is above 0.
+struct ReadingError {
+  double percent = 0, weight = 0;
+  bool operator==(const ReadingError&) const = default;
+};
+
+// What the supports read while they carry the object (weighing.h). With readings, the weight and the
+// centre of mass of the object are what follows from these, and must not be given.
+struct Weighed {
+  std::vector<double> readings;  // of each support, 0 .. max_weight, without tare; empty if none
+  ReadingError error;            // of each reading
+  double level_error = 0;  // how far the plane of the lifting points may be from level, as a slope,
+                           // 0 .. max_slope
+  // A second weighing on a slope: its readings, the slope, 0 .. max_slope, and a vector uphill.
+  std::vector<double> tilted_readings;
+  double tilted = 0;
+  std::optional<Vec2> heading;
+  bool operator==(const Weighed&) const = default;
+};
+
 // The inputs of a placement except the polygon and the centre of mass.
 struct Settings {
   // The number of teams, 1 .. max_teams. For methods that choose among candidates, empty ("max")
@@ -204,6 +228,7 @@ struct Settings {
   Points supports;              // for Method::given, 1 .. most_supports (supports.h)
   std::optional<double> snap;   // supports within this distance of the outline stand at the edge,
                                 // 0 .. max_length; empty means 1e-4 L
+  Weighed weighed;              // for Method::given
   bool operator==(const Settings&) const = default;
 };
 
@@ -221,6 +246,8 @@ struct Carrying {
   double uneven = 0;  // greatest error of the ground or of a robot's height, 0 .. max_length
   std::optional<double> extra;  // a further weight that may stand on the object, such as a person,
                                 // min_weight .. max_weight
+  double dynamic = 1;  // factor on the greatest loads before they meet a capacity, 1 .. max_dynamic
+  double weight_doubt = 0;  // how far the weight may be off, as a part of it, 0 .. 1
   bool has_height() const { return com_height > 0; }  // of C, as far as it is known
   bool operator==(const Carrying&) const = default;
 };

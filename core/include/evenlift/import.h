@@ -180,11 +180,15 @@ struct SupportFile {
   // the place itself if the text gives no contact. For other texts, the list is empty.
   Points contacts;
   std::vector<std::optional<double>> capacities;
+  std::vector<double> readings;  // of each robot, if a table has a column of them (weighing.h)
+  // The kilograms in the unit of the capacities and of the readings, if their headings state one.
+  std::optional<double> capacity_unit, reading_unit;
   LengthUnit unit = LengthUnit::none;  // as a table or JSON states it; metres for YAML (ROS 2)
 };
 
 // Reads the places of robots. The text is a table whose first line names the columns `x`, `y` and
-// perhaps `capacity` (also "Cap.", "SWL", "WLL" or "max load"), the JSON of a result (robots[].at)
+// perhaps `capacity` (also "Cap.", "SWL", "WLL" or "max load") and `reading` (also "load", "weight"
+// or "kg"), each perhaps with its unit as in "capacity (lb)", the JSON of a result (robots[].at)
 // or of robot poses, an array [[x, y], ...], or robot poses as YAML. The limits are max_text_bytes
 // and most_supports. O(bytes).
 Result<SupportFile> read_support_file(std::string_view text);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "evenlift/result.h"
 #include "evenlift/stability.h"
 #include "evenlift/stands.h"
+#include "evenlift/weighing.h"
 
 namespace evenlift {
 
@@ -24,9 +26,10 @@ struct Placement {
   double weight() const { return total_weight(settings); }  // the weight that the robots share
 
   PolygonWithHoles object;
-  Vec2 own_centre;                       // of the object without cargo: given, or the centroid
-  Vec2 centre_of_mass;                   // C: that of the object with its cargo
-  Settings settings;                     // as given
+  Vec2 own_centre;                   // of the object without cargo: given, weighed, or the centroid
+  Vec2 centre_of_mass;               // C: that of the object with its cargo
+  Settings settings;                 // as given, but with the weight that was weighed
+  std::optional<Weighing> weighing;  // what the supports' readings tell, if there are any
   std::shared_ptr<const Stands> stands;  // null if stands_anywhere()
   std::vector<Candidate> candidates;     // in candidate order, whatever the method
   std::uint32_t requested_teams = 0;     // with "max", the number of candidates; for balanced
@@ -81,7 +84,7 @@ bool is_held(const Placement& placement);
 
 // Checks the document and computes its placement. The same document gives the same bits on every
 // platform. The errors are those of check_settings(), Polygon::create(),
-// PolygonWithHoles::create(), centre_of_mass(), make_stands(), place_supports(), find_candidates(),
+// PolygonWithHoles::create(), centre_of_mass(), make_stands(), place_supports(), weigh(), find_candidates(),
 // check_swaps() and, for moved robots, with_moved() (moved.h). O(n log n + K log K) for K edge
 // pairs and O(n h) for the coverage, plus the cost of the stands (stands.h), the selection
 // (selection.h), the swaps (swaps.h) or the search for balanced robots (balanced.h).
@@ -135,15 +138,20 @@ Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robo
 
 // A placement and how to show it, for functions that write words, pictures or files. Without `how`,
 // the defaults apply. A ShownPlacement refers to both arguments: pass it to functions, but do not
-// store it.
-struct ShownPlacement {
-  ShownPlacement(const Placement& of) : placement(of), shown(usual) {}
-  ShownPlacement(const Placement& of, const Shown& how) : placement(of), shown(how) {}
-  const Placement& placement;
-  const Shown& shown;
+// store it. If the object was weighed, `shown` has the C uncertainty and the height of C that follow
+// (as_weighed()).
+class ShownPlacement {
+ public:
+  ShownPlacement(const Placement& of) : ShownPlacement(of, usual) {}
+  ShownPlacement(const Placement& of, const Shown& how);
 
  private:
   static const Shown usual;
+  std::shared_ptr<const Shown> weighed_;
+
+ public:
+  const Placement& placement;
+  const Shown& shown;
 };
 
 }  // namespace evenlift

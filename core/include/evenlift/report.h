@@ -66,8 +66,14 @@ struct Report {
   std::optional<std::vector<double>> worst;  // that statics allows, under the given conditions
 
   bool has_capacities = false, has_own_capacities = false;  // see capacity.h
-  // What each robot can carry; empty if no robot has a capacity.
-  std::vector<std::optional<double>> capacities;
+  // What each robot can carry, and limits_of() these; empty if no robot has a capacity.
+  std::vector<std::optional<double>> capacities, limits;
+  // How much of each robot is used: its greatest planned load under the given conditions, times the
+  // dynamic factor and 1 + the uncertainty of the weight, divided by its capacity. An entry is empty
+  // without a capacity, or if the object falls; the list is if no robot has a capacity.
+  std::vector<std::optional<double>> use;
+  // The greatest use, and whose it is; nothing without any use. O(robots).
+  std::optional<std::size_t> most_used() const;
   std::vector<std::size_t> overloaded, overloaded_as_planned;  // by `loads`, and by `planned`
   std::vector<std::size_t> overloaded_at_rest;                 // as planned, without any conditions
   std::vector<std::size_t> overloaded_at_worst;                // by `worst`
@@ -82,6 +88,7 @@ struct Report {
 
   Accuracy accuracy;
   std::optional<ExtraLoad> extra;
+  std::optional<ReadingsFit> readings_fit;  // if the object was weighed
 
   // Of robots with the common capacity; if each has only its own, no number is possible.
   std::optional<CapacityPlan> plan;

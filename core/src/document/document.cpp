@@ -83,6 +83,20 @@ std::string_view name(WeightUnit unit) {
   return {};
 }
 
+double in_kilograms(double weight, WeightUnit unit) {
+  switch (unit) {
+    case WeightUnit::kg:
+      return weight;
+    case WeightUnit::t:
+      return weight * 1000;
+    case WeightUnit::N:
+      return weight / 9.80665;
+    case WeightUnit::lb:
+      return weight * 0.45359237;
+  }
+  return weight;
+}
+
 double in_metres(double length, LengthUnit unit) {
   switch (unit) {
     case LengthUnit::none:

@@ -90,6 +90,16 @@ DocumentReader::Problem DocumentReader::read(Index object, Document& document) {
     return error(*com, "\"com\" is another name of \"centre_of_mass\": give one of them",
                  ErrorCode::bad_setting);
   if (found[3]) found[2].reset();  // the other is with cargo
+  // What evenlift wrote tells the weight and C that follow from readings.
+  const auto readings = found[number(Setting::readings)];
+  if (from_ != From::request && readings && tree_.kind(*readings) != Kind::null)
+    for (const std::size_t follows : {std::size_t{2}, std::size_t{3}, number(Setting::weight)})
+      found[follows].reset();
+  const bool weighs = from_ == From::request && readings && tree_.kind(*readings) != Kind::null;
+  if (const auto weight = found[number(Setting::weight)];
+      weighs && weight && tree_.kind(*weight) != Kind::null)
+    return error(*weight, "the readings give the weight: leave out the weight, or the readings",
+                 ErrorCode::bad_setting);
   // Supports set the method, and the size of robots comes before its parts.
   for (const std::size_t early : {number(Setting::robot), number(Setting::supports)})
     if (const auto at = std::exchange(found[early], std::nullopt))
@@ -281,10 +291,10 @@ DocumentReader::Problem DocumentReader::take_value(const SettingRow& row, Index 
                               (setting == Setting::accuracy && tree_.number(*inside) == 0);
         return is_unset ? std::nullopt : take_value(row, *inside, document);
       }
-  const bool may_be_list = setting == Setting::support_capacities || setting == Setting::no_go ||
-                           setting == Setting::overlays;
-  const auto text = is_array && may_be_list ? list_text(at, setting == Setting::support_capacities)
-                                            : value_text(at);
+  const bool of_numbers = setting == Setting::support_capacities || setting == Setting::readings ||
+                          setting == Setting::readings_tilted || setting == Setting::heading;
+  const bool may_be_list = of_numbers || setting == Setting::no_go || setting == Setting::overlays;
+  const auto text = is_array && may_be_list ? list_text(at, of_numbers) : value_text(at);
   if (!text) return error(at, requirement(setting), ErrorCode::bad_setting);
   return take_setting(setting, at, *text, document);
 }

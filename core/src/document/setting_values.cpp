@@ -126,6 +126,53 @@ bool is_within(const Capacities& capacities, const SettingRange&) {
 bool take(std::string_view text, const SettingRange&, CargoList& cargo) {
   return read_cargo(text, cargo);
 }
+
+// With spaces or commas between them.
+bool take(std::string_view text, const SettingRange& range, Readings& readings) {
+  Readings read;
+  const bool good = text == "none" || for_each_item(text, [&](std::string_view item) {
+                      if (item.size() > 1 && item.ends_with(',')) item.remove_suffix(1);
+                      return for_each_word(item, [&](std::string_view word) {
+                        const auto reading = read_number(word);
+                        if (!reading || !is_within(*reading, range)) return false;
+                        read.push_back(*reading + 0.0);  // -0 would make a different document
+                        return read.size() <= most_supports;
+                      });
+                    });
+  if (!good || (read.empty() && text != "none")) return false;
+  readings = std::move(read);
+  return true;
+}
+std::string text_of(const Readings& readings, const SettingRange&) {
+  std::string text;
+  for (const double reading : readings) text += (text.empty() ? "" : " ") + shortest(reading);
+  return text.empty() ? "none" : text;
+}
+bool is_within(const Readings& readings, const SettingRange& range) {
+  return readings.size() <= most_supports &&
+         std::all_of(readings.begin(), readings.end(),
+                     [&](double reading) { return is_within(reading, range); });
+}
+
+bool take(std::string_view text, const SettingRange& range, ReadingError& error) {
+  const bool is_percent = text.ends_with('%');
+  if (is_percent) text.remove_suffix(1);
+  while (is_percent && text.ends_with(' ')) text.remove_suffix(1);
+  const auto value = read_number(text);
+  if (!value) return false;
+  const ReadingError read =
+      is_percent ? ReadingError{*value + 0.0, 0} : ReadingError{0, *value + 0.0};
+  if (!is_within(read, range)) return false;
+  error = read;
+  return true;
+}
+std::string text_of(const ReadingError& error, const SettingRange&) {
+  return error.percent > 0 ? shortest(error.percent) + "%" : shortest(error.weight);
+}
+bool is_within(const ReadingError& error, const SettingRange& range) {
+  return error.percent >= 0 && error.percent <= 100 && is_within(error.weight, range) &&
+         !(error.percent > 0 && error.weight > 0);
+}
 std::string text_of(const CargoList& cargo, const SettingRange&) { return cargo_text(cargo); }
 bool is_within(const CargoList& cargo, const SettingRange&) { return is_cargo(cargo); }
 
@@ -173,6 +220,36 @@ bool read_notation(std::string_view text, std::span<const Notation> notations,
 
 bool read_slope(std::string_view text, const SettingRange& range, double& slope) {
   return read_notation(text, of_slopes, range, slope);
+}
+
+bool read_part_of_all(std::string_view text, const SettingRange& range, double& part) {
+  constexpr Notation of_parts[] = {{"%", [](double percent) { return percent / 100; }},
+                                   {"", as_is}};
+  return read_notation(text, of_parts, range, part);
+}
+
+bool read_direction(std::string_view text, std::optional<Vec2>& direction) {
+  if (text == "none") {
+    direction.reset();
+    return true;
+  }
+  for (const std::string_view ending : {"deg", "\u00B0"}) {
+    if (!text.ends_with(ending)) continue;
+    const auto degrees = read_number(trimmed(text.substr(0, text.size() - ending.size())));
+    if (!degrees || std::fabs(*degrees) > 360) return false;
+    // The axes are exact.
+    const double quarters = *degrees / 90, angle = *degrees * (pi / 180);
+    constexpr Vec2 axes[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    direction = quarters == std::floor(quarters) ? axes[(static_cast<int>(quarters) + 8) % 4]
+                                                 : Vec2(cosine(angle), sine(angle));
+    return true;
+  }
+  std::optional<Vec2> read;
+  if (!setting_value::take(text, {}, read) || !read || *read == Vec2()) return false;
+  constexpr double most = max_coordinate;
+  if (!(max_norm(*read) <= most && max_norm(*read) >= 1 / most)) return false;
+  direction = *read;
+  return true;
 }
 
 bool read_acceleration(std::string_view text, const SettingRange& range, double& acceleration) {

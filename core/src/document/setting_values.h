@@ -123,6 +123,13 @@ bool take(std::string_view text, const SettingRange& range, std::optional<Value>
 using NoGo = std::vector<EdgePart>;
 using Capacities = std::vector<std::optional<double>>;
 using CargoList = std::vector<Cargo>;
+using Readings = std::vector<double>;
+bool take(std::string_view text, const SettingRange&, Readings& readings);
+bool take(std::string_view text, const SettingRange&, ReadingError& error);
+std::string text_of(const Readings& readings, const SettingRange&);
+std::string text_of(const ReadingError& error, const SettingRange&);
+bool is_within(const Readings& readings, const SettingRange&);
+bool is_within(const ReadingError& error, const SettingRange&);
 bool take(std::string_view text, const SettingRange&, std::optional<Vec2>& centre);
 bool take(std::string_view text, const SettingRange&, Overlays& overlays);
 bool take(std::string_view text, const SettingRange&, RobotSize& robot);
@@ -184,6 +191,11 @@ namespace evenlift {
 // acceleration in g, or with its unit, such as 2 m/s2. Spaces may precede the unit. Returns whether the
 // text is valid and its value in range. If so, stores the value as a ratio, or in g.
 bool read_slope(std::string_view text, const SettingRange& range, double& slope);
+// Reads a part such as 0.05 or 5%.
+bool read_part_of_all(std::string_view text, const SettingRange& range, double& part);
+// Reads a direction: two numbers such as 1,0 that are not both 0, an angle from the x axis
+// counter-clockwise such as 90deg, or "none".
+bool read_direction(std::string_view text, std::optional<Vec2>& direction);
 bool read_acceleration(std::string_view text, const SettingRange& range, double& acceleration);
 
 // --- Reads the places and capacities of supports from text, and writes the capacities. supports_text()

@@ -93,6 +93,43 @@ constexpr SettingRow::Access acceleration_as_text() {
   return access;
 }
 
+// A part of all, also as a percentage.
+constexpr SettingRow::Access weight_doubt_as_text() {
+  SettingRow::Access access = of<&Shown::carrying, &Carrying::weight_doubt>();
+  access.read = [](std::string_view text, const SettingRange& range, Document& document) {
+    return read_part_of_all(text, range, document.shown.carrying.weight_doubt);
+  };
+  access.kind = nullptr;  // its row has a rule
+  return access;
+}
+
+template <double Weighed::*member>
+constexpr SettingRow::Access slope_of_weighing() {
+  SettingRow::Access access = of<&Settings::weighed, member>();
+  access.read = [](std::string_view text, const SettingRange& range, Document& document) {
+    return read_slope(text, range, document.settings.weighed.*member);
+  };
+  access.kind = nullptr;  // its row has a rule
+  return access;
+}
+
+constexpr SettingRow::Access heading_as_text() {
+  return {
+      [](std::string_view text, const SettingRange&, Document& document) {
+        return read_direction(text, document.settings.weighed.heading);
+      },
+      [](const Document& document, const SettingRange&) {
+        const auto& heading = document.settings.weighed.heading;
+        return heading ? shortest(heading->x) + "," + shortest(heading->y) : std::string("none");
+      },
+      [](const Document& document, const SettingRange&) {
+        const auto& heading = document.settings.weighed.heading;
+        return !heading ||
+               (max_norm(*heading) <= max_coordinate && max_norm(*heading) >= 1 / max_coordinate);
+      },
+      nullptr};
+}
+
 // A list whose refusal quotes the refused part.
 constexpr SettingRow::Access quoting(SettingRow::Access access,
                                      std::string_view (*refused)(std::string_view)) {
@@ -527,6 +564,123 @@ constexpr SettingRow rows[] = {
      .in_document = Listed::if_changed,
      .plans = false,
      .access = of<&Shown::carrying, &Carrying::extra>()},
+    {.setting = Setting::readings,
+     .name = "readings",
+     .subject = "the readings",
+     .edit = "the readings",
+     .changes = Changes::loads,
+     .counts_for = CountsFor::given,
+     .range = {0, max_weight},
+     .rule = "must be a weight of 0 or more for each support, with spaces between them, such as "
+             "169 171 140 0; or none",
+     .option = {OptionGroup::placement, "\"F ...\"",
+                "what each support reads, without tare: gives the weight and the centre of mass"},
+     .record = 31,
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .plans = false,
+     .access = of<&Settings::weighed, &Weighed::readings>()},
+    {.setting = Setting::reading_error,
+     .name = "reading_error",
+     .subject = "the error of readings",
+     .edit = "the error of readings",
+     .changes = Changes::loads,
+     .counts_for = CountsFor::given,
+     .range = {0, max_weight},
+     .rule = "must be a part of each reading from 0% to 100%, such as 1%, or a weight, such as 0.5",
+     .option = {OptionGroup::placement, "D",
+                "how far a reading may be off: a part of each, such as 1%, or a weight"},
+     .record = 32,
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .plans = false,
+     .access = of<&Settings::weighed, &Weighed::error>()},
+    {.setting = Setting::level_error,
+     .name = "level_error",
+     .subject = "the error of level",
+     .edit = "the error of level",
+     .changes = Changes::loads,
+     .counts_for = CountsFor::given,
+     .range = {0, max_slope},
+     .rule = "must be a ratio from 0 to 1, a percentage such as 1%, or an angle such as 0.5deg",
+     .option = {OptionGroup::placement, "S",
+                "how far the lifting points may be from level while one reads, as a slope"},
+     .record = 33,
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .plans = false,
+     .access = slope_of_weighing<&Weighed::level_error>()},
+    {.setting = Setting::readings_tilted,
+     .name = "readings_tilted",
+     .subject = "the readings on a slope",
+     .edit = "the readings",
+     .changes = Changes::loads,
+     .counts_for = CountsFor::given,
+     .range = {0, max_weight},
+     .rule = "must be a weight of 0 or more for each support, with spaces between them, such as "
+             "160 171 149 0; or none",
+     .option = {OptionGroup::placement, "\"F ...\"",
+                "what each support reads on the slope of --tilted: gives the height of C"},
+     .record = 34,
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .plans = false,
+     .access = of<&Settings::weighed, &Weighed::tilted_readings>()},
+    {.setting = Setting::tilted,
+     .name = "tilted",
+     .subject = "the slope of the second weighing",
+     .edit = "the slope of the second weighing",
+     .changes = Changes::loads,
+     .counts_for = CountsFor::given,
+     .range = {0, max_slope},
+     .rule = "must be a ratio from 0 to 1, a percentage such as 8%, or an angle such as 5deg",
+     .option = {OptionGroup::placement, "S", "slope of the second weighing: a ratio, 8% or 5deg"},
+     .record = 35,
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .plans = false,
+     .access = slope_of_weighing<&Weighed::tilted>()},
+    {.setting = Setting::heading,
+     .name = "heading",
+     .subject = "the direction uphill",
+     .edit = "the direction uphill",
+     .changes = Changes::loads,
+     .counts_for = CountsFor::given,
+     .rule = "must be two numbers X,Y that are not both 0, an angle from the x axis such as 90deg, "
+             "or none",
+     .option = {OptionGroup::placement, "X,Y",
+                "direction uphill of the second weighing: a vector, or an angle such as 90deg"},
+     .record = 36,
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .plans = false,
+     .access = heading_as_text()},
+    {.setting = Setting::dynamic,
+     .name = "dynamic",
+     .subject = "the dynamic factor",
+     .edit = "the dynamic factor",
+     .changes = Changes::shown,
+     .range = {1, max_dynamic},
+     .option =
+         {OptionGroup::uncertainty, "F",
+          "factor on the greatest loads before they meet a capacity, such as 1.2 (default 1)"},
+     .record = 37,
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .access = of<&Shown::carrying, &Carrying::dynamic>()},
+    {.setting = Setting::weight_doubt,
+     .name = "weight_doubt",
+     .subject = "the uncertainty of the weight",
+     .edit = "the uncertainty of the weight",
+     .changes = Changes::shown,
+     .range = {0, 1},
+     .rule = "must be a part of the weight from 0 to 1, such as 0.05 or 5%",
+     .option = {OptionGroup::uncertainty, "P",
+                "how far the weight may be off, either way: a part of it, such as 5%"},
+     .record = 38,
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .access = weight_doubt_as_text()},
     {.setting = Setting::loads,
      .name = "loads",
      .subject = "the load model",

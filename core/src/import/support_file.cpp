@@ -299,6 +299,12 @@ class Gathered {
     return std::nullopt;
   }
 
+  void add_reading(double reading) { supports_.readings.push_back(reading); }
+  void set_units(std::optional<double> of_capacities, std::optional<double> of_readings) {
+    supports_.capacity_unit = of_capacities;
+    supports_.reading_unit = of_readings;
+  }
+
   void add_contact(const Vec2& contact) { supports_.contacts.push_back(contact); }
 
   InputError error(std::size_t offset, std::string message) const {
@@ -413,16 +419,47 @@ Result<SupportFile> read_poses(std::string_view text) {
 // --- A table with a heading
 
 struct Columns {
-  std::optional<std::size_t> x, y, capacity, unit;
+  std::optional<std::size_t> x, y, capacity, unit, reading;
 };
 
-// "capacity", "Rated capacity (kg)", "Cap.", "SWL", "max. load".
-bool names_capacity(std::string_view heading) {
+std::string letters_of(std::string_view heading) {
   std::string letters;
   for (const char c : heading.substr(0, heading.find_first_of("([")))
     if (is_letter(c)) letters += lower_case(c);
+  return letters;
+}
+
+// The kilograms in the unit that a heading states in brackets, or as its only word: "load (kN)".
+// Nothing without a unit; 0 for an unknown one.
+std::optional<double> weight_unit_of(std::string_view heading) {
+  const std::size_t open = heading.find_first_of("([");
+  std::string_view unit = open == std::string_view::npos ? heading : heading.substr(open + 1);
+  unit = trimmed(unit.substr(0, unit.find_first_of(")]")));
+  constexpr double newton = 1 / 9.80665;
+  const std::pair<std::string_view, double> known[] = {
+      {"kg", 1},           {"kgf", 1},          {"g", 0.001},         {"t", 1000},
+      {"to", 1000},        {"lb", 0.45359237},  {"lbs", 0.45359237},  {"lbf", 0.45359237},
+      {"n", newton},       {"dan", 10 * newton}, {"kn", 1000 * newton}};
+  for (const auto& [name, kilograms] : known)
+    if (same_word(unit, name)) return kilograms;
+  return open == std::string_view::npos ? std::nullopt : std::optional(0.0);
+}
+
+// "capacity", "Rated capacity (kg)", "Cap.", "SWL", "max. load".
+bool names_capacity(std::string_view heading) {
+  const std::string letters = letters_of(heading);
   return letters.find("capacity") != std::string::npos || letters == "cap" || letters == "swl" ||
          letters == "wll" || letters == "maxload" || letters == "maximumload";
+}
+
+// "reading", "Load (kg)", "weight", "kg".
+bool names_reading(std::string_view heading) {
+  static constexpr std::string_view readings[] = {
+      "reading", "readings", "reads",   "scale",   "load",    "loads",   "weight", "kg", "lb",
+      "n",       "kn",       "anzeige", "ablesung", "last",    "gewicht", "messwert",
+      "lecture", "charge",   "poids",   "lectura", "carga",   "peso"};
+  const std::string letters = letters_of(heading);
+  return std::find(std::begin(readings), std::end(readings), letters) != std::end(readings);
 }
 
 Columns columns_of(const Fields& heading) {
@@ -432,6 +469,7 @@ Columns columns_of(const Fields& heading) {
     if (names_column(heading[i], 'y')) columns.y = i;
     if (names_capacity(heading[i])) columns.capacity = i;
     if (same_word(heading[i], "unit")) columns.unit = i;
+    if (names_reading(heading[i])) columns.reading = i;
   }
   // "Easting" and "Northing", "Position X" and the like, as for outlines.
   if (const auto named = named_columns(heading); named && !(columns.x && columns.y)) {
@@ -454,6 +492,13 @@ Result<SupportFile> read_table(std::string_view text) {
   LengthUnit unit = unit_of_column(headings[*columns.x]);
   if (unit != unit_of_column(headings[*columns.y]))
     return gathered.error(0, "x and y are in different units");
+  const auto unit_in = [&](const std::optional<std::size_t>& column) {
+    return column ? weight_unit_of(headings[*column]) : std::nullopt;
+  };
+  const auto of_capacities = unit_in(columns.capacity), of_readings = unit_in(columns.reading);
+  if (of_capacities == 0.0)
+    return gathered.error(0, "the unit of the capacities is not known; it may be kg, t, N, kN or lb");
+  gathered.set_units(of_capacities, of_readings);
   for (auto line = lines.next(); line; line = lines.next()) {
     const Fields cells = split_cells(line->text, separator);
     const auto offset = static_cast<std::size_t>(line->text.data() - text.data());
@@ -478,6 +523,7 @@ Result<SupportFile> read_table(std::string_view text) {
       if (own != LengthUnit::none) unit = own;
     }
     if (auto wrong = gathered.add(Vec2(*x, *y), capacity, offset)) return *wrong;
+    if (const auto reading = value(columns.reading)) gathered.add_reading(*reading);
   }
   return gathered.finish(unit);
 }

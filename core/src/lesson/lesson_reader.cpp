@@ -108,7 +108,8 @@ class Reader {
     for (const Key& own : keys)
       if (own.name == key) return (this->*own.take)(value);
     if (setting) return take_setting(value, *setting);
-    refuse(say("unknown setting; the settings are {names}", {names_of_keys()}));
+    refuse(say("unknown setting; the settings are {names}, and the options of evenlift place, such as teams",
+               {names_of_keys()}));
   }
 
   void take_title(std::string_view value) {
@@ -234,11 +235,9 @@ class Reader {
   }
 
   static std::string names_of_keys() {
-    std::vector<std::string> names;
-    for (const Key& own : keys) names.emplace_back(own.name);
-    for (const SettingRow& row : all_settings())
-      if (is_key(row)) names.push_back(hyphened(row.name));
-    return listed(names);
+    std::string text;
+    for (const Key& own : keys) text += (text.empty() ? "" : ", ") + std::string(own.name);
+    return text;
   }
 
   // Where the next words go.

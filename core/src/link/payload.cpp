@@ -113,7 +113,10 @@ std::size_t longest_value(Tag number) {
   if (number == tag::moved) return 64 * most_moved_teams;
   const SettingRow* row = row_of_record(number);
   if (row && row->setting == Setting::robot) return 5 * 32;
-  if (row && row->setting == Setting::support_capacities) return 32 * most_supports;
+  if (row && (row->setting == Setting::support_capacities || row->setting == Setting::readings ||
+              row->setting == Setting::readings_tilted))
+    return 32 * most_supports;
+  if (row && row->setting == Setting::heading) return 2 * 32;
   if (row && row->setting == Setting::cargo) return most_bytes_of_cargo;
   return row && row->setting == Setting::no_go ? 64 * most_no_go : 32;
 }

@@ -155,6 +155,10 @@ std::optional<double> capacity_of(const ShownPlacement& of, std::size_t robot) {
                                                                     : of.shown.capacity;
 }
 
+double limit_of(double capacity, const Carrying& carrying) {
+  return capacity / (carrying.dynamic * (1 + carrying.weight_doubt));
+}
+
 bool has_capacities(const ShownPlacement& of) {
   return of.shown.capacity || has_own_capacities(of);
 }
@@ -171,7 +175,8 @@ std::vector<std::size_t> overloaded_robots(const ShownPlacement& of,
                                            const std::vector<double>& loads) {
   std::vector<std::size_t> robots;
   for (std::size_t robot = 0; robot < loads.size(); ++robot)
-    if (const auto capacity = capacity_of(of, robot); capacity && exceeds(loads[robot], *capacity))
+    if (const auto capacity = capacity_of(of, robot);
+        capacity && exceeds(loads[robot], limit_of(*capacity, of.shown.carrying)))
       robots.push_back(robot);
   return robots;
 }
@@ -181,6 +186,13 @@ std::vector<std::optional<double>> capacities_of(const ShownPlacement& of) {
   for (std::size_t robot = 0; robot < count_robots(of.placement.teams); ++robot)
     capacities.push_back(capacity_of(of, robot));
   return capacities;
+}
+
+std::vector<std::optional<double>> limits_of(const ShownPlacement& of) {
+  std::vector<std::optional<double>> limits = capacities_of(of);
+  for (std::optional<double>& each : limits)
+    if (each) each = limit_of(*each, of.shown.carrying);
+  return limits;
 }
 
 bool overloads(const ShownPlacement& of, const std::optional<RestOfRobots>& rest) {

@@ -100,11 +100,13 @@ std::optional<std::vector<Bearing>> Lift::bearings() const {
     all.push_back({{(1 - dot(slope, frame.mean)) / m, slope / m}});
   }
   const LoadChanges changed = changes(all);
+  const std::vector<std::optional<double>> limits = limits_of(of_);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double load = weight * all[i].part.constant, by = changed.by[i];
     if (by == std::numeric_limits<double>::max()) return std::nullopt;
-    all[i].least_room = load - by / changed.effect.kept;
-    if (const auto capacity = capacity_of(of_, i)) all[i].greatest_room = *capacity - load - by;
+    all[i].least_room =
+        (1 - of_.shown.carrying.weight_doubt) * (load - by / changed.effect.kept);
+    if (limits[i]) all[i].greatest_room = *limits[i] - load - by;
   }
   return all;
 }

@@ -72,14 +72,21 @@ void place_balanced(Placement& placement, Effort effort) {
   placement.cut_short = search->cut_short;
 }
 
+// Where given supports lift. Without `stands` robots are points.
+Result<std::vector<LiftingPoint>> lifting_supports(const PolygonWithHoles& object,
+                                                   const Settings& settings, const Stands* stands) {
+  auto robots = place_supports(object, settings);
+  if (robots && stands)
+    for (LiftingPoint& robot : *robots)
+      robot = stands->lifting_point(stands->beside_vertex(object.outline(), robot));
+  return robots;
+}
+
 // The supports share the weight like springs: their loads are not planned.
 std::optional<InputError> place_given(Placement& placement) {
-  auto robots = place_supports(placement.object, placement.settings);
+  const auto robots =
+      lifting_supports(placement.object, placement.settings, placement.stands.get());
   if (!robots) return robots.error();
-  if (placement.stands)
-    for (LiftingPoint& robot : *robots)
-      robot = placement.stands->lifting_point(
-          placement.stands->beside_vertex(placement.polygon(), robot));
   placement.teams = {team_of(placement, *robots)};
   const auto springs = spring_loads(positions(*robots), placement.centre_of_mass,
                                     placement.polygon().diameter(), placement.weight());
@@ -221,6 +228,9 @@ std::optional<InputError> check_given(const Settings& settings, const Shown& sho
     return setting_error(Setting::supports,
                          "the method given needs the places of its robots, such as "
                          "0,0 160,0 80,90");
+  if (is_weighed(settings) && settings.weight != Settings{}.weight)
+    return setting_error(Setting::weight,
+                         "the readings give the weight: leave out the weight, or the readings");
   const std::size_t capacities = shown.support_capacities.size();
   if (capacities == 0 || capacities == settings.supports.size()) return std::nullopt;
   return setting_error(Setting::support_capacities,
@@ -256,6 +266,13 @@ std::vector<LiftingPoint> contact_points(const Placement& placement) {
 
 const Shown ShownPlacement::usual;
 
+ShownPlacement::ShownPlacement(const Placement& of, const Shown& how)
+    : weighed_(of.weighing ? std::make_shared<const Shown>(
+                                 as_weighed(*of.weighing, of.settings, how))
+                           : nullptr),
+      placement(of),
+      shown(weighed_ ? *weighed_ : how) {}
+
 std::optional<InputError> check_settings(const Settings& settings, const Shown& shown) {
   if (auto error = check_ranges(settings, shown)) return error;
   if (settings.method == Method::balanced) return check_balanced(settings);
@@ -282,11 +299,50 @@ Result<Placement> place(const Document& document, Effort effort) {
                document.moved);
 }
 
-Result<Placement> place(PolygonWithHoles object, const std::optional<Vec2>& own_centre,
-                        const Settings& settings, Effort effort, const Moved& moved) {
-  if (auto error = check_settings(settings)) return *error;
-  const auto centre = centre_of_mass(object, own_centre, settings);
+namespace {
+
+// The mass of an object: as given, or as its supports' readings tell.
+struct Mass {
+  Settings settings;
+  std::optional<Weighing> weighing;
+  CentreOfMass centre;
+};
+
+Result<Mass> mass_of(const PolygonWithHoles& object, const std::optional<Vec2>& own_centre,
+                     const Settings& settings) {
+  Mass mass{settings, std::nullopt, {}};
+  std::optional<Vec2> own = own_centre;
+  if (is_weighed(settings)) {
+    if (own)
+      return setting_error(Setting::com,
+                           "the readings give the centre of mass: leave it out, or the readings");
+    // Stands of given supports do not depend on C.
+    const auto stands = make_stands(object, object.outline().vertex(0), settings);
+    if (!stands) return stands.error();
+    const auto robots = lifting_supports(object, settings, stands->get());
+    if (!robots) return robots.error();
+    auto weighing = weigh(positions(*robots), settings, object.outline().diameter());
+    if (!weighing) return weighing.error();
+    const OwnMass alone = own_mass(*weighing, settings);
+    mass.settings.weight = alone.weight;
+    own = alone.centre;
+    mass.weighing = *std::move(weighing);
+  }
+  const auto centre = centre_of_mass(object, own, mass.settings);
   if (!centre) return centre.error();
+  mass.centre = *centre;
+  return mass;
+}
+
+}  // namespace
+
+Result<Placement> place(PolygonWithHoles object, const std::optional<Vec2>& own_centre,
+                        const Settings& given, Effort effort, const Moved& moved) {
+  if (auto error = check_settings(given)) return *error;
+  auto mass = mass_of(object, own_centre, given);
+  if (!mass) return mass.error();
+  const Settings& settings = mass->settings;
+  const CentreOfMass* const centre = &mass->centre;
   auto stands = make_stands(object, centre->all, settings);
   if (!stands) return with_hint(stands.error(), object, centre->all, settings);
   auto candidates = candidates_of(object, centre->all, settings, stands->get());
@@ -301,6 +357,7 @@ Result<Placement> place(PolygonWithHoles object, const std::optional<Vec2>& own_
   placement.own_centre = centre->own;
   placement.centre_of_mass = centre->all;
   placement.settings = settings;
+  placement.weighing = std::move(mass->weighing);
   placement.candidates = std::move(*candidates);
   placement.requested_teams = requested_teams(placement);
   // If all robots were moved by hand, there is no search.
@@ -335,11 +392,11 @@ Result<std::vector<Candidate>> candidates_of(const Document& document) {
   if (auto error = check_settings(document.settings, document.shown)) return *error;
   const auto object = object_of(document);
   if (!object) return object.error();
-  const auto centre = centre_of_mass(*object, document.centre_of_mass, document.settings);
-  if (!centre) return centre.error();
-  const auto stands = make_stands(*object, centre->all, document.settings);
+  const auto mass = mass_of(*object, document.centre_of_mass, document.settings);
+  if (!mass) return mass.error();
+  const auto stands = make_stands(*object, mass->centre.all, document.settings);
   if (!stands) return stands.error();
-  return candidates_of(*object, centre->all, document.settings, stands->get());
+  return candidates_of(*object, mass->centre.all, document.settings, stands->get());
 }
 
 Result<Document> with_even_supports(const Document& document) {
@@ -359,7 +416,9 @@ Result<Document> with_even_supports(const Document& document) {
         "there are no places near the outline to which two or three robots could move so that all "
         "carry the same load");
   const std::vector<LiftingPoint> touched = contact_points(placement->stands.get(), *even);
-  Document moved = document;
+  // Readings are those at the former places.
+  Document moved =
+      placement->weighing ? taken_over(document, *placement->weighing) : document;
   for (std::size_t i = 0; i < robots.size(); ++i)
     if ((*even)[i].position != robots[i].position) moved.settings.supports[i] = touched[i].position;
   return moved;

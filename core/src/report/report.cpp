@@ -154,8 +154,7 @@ class Overload {
                 planned_, !by_springs_, error_directions(of.placement, drifts)) {
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       ends_.push_back(known.planned[i].greatest);
-      limits_.push_back(known.capacities.empty() ? infinite
-                                                 : known.capacities[i].value_or(infinite));
+      limits_.push_back(known.limits.empty() ? infinite : known.limits[i].value_or(infinite));
     }
   }
 
@@ -378,13 +377,24 @@ void tell(Report& report, const ShownPlacement& of, LoadModel model) {
   tell_overloads(report, of);
 }
 
+// Loads beyond rounding are at least 0.
+void add_capacities(Report& report, const ShownPlacement& of) {
+  if (!report.has_capacities) return;
+  report.capacities = capacities_of(of);
+  report.limits = limits_of(of);
+  for (std::size_t i = 0; i < report.limits.size() && i < report.planned.size(); ++i)
+    report.use.push_back(of.placement.loads && report.limits[i]
+                             ? std::optional(report.planned[i].greatest / *report.limits[i])
+                             : std::nullopt);
+}
+
 void add_loads(Report& report, const ShownPlacement& of, LoadModel model) {
   if (report.disturbance.any() || model != LoadModel::plan) add_models(report, of);
   const auto& conditions = report.disturbance.any() ? report.models : std::nullopt;
   report.planned = shown_loads(of.placement, LoadModel::plan, conditions, report.tips);
   report.loads_are_determined = loads_are_determined(of.placement);
   report.worst = worst_loads(of.placement, report.effect);
-  if (report.has_capacities) report.capacities = capacities_of(of);
+  add_capacities(report, of);
   if (report.worst) report.overloaded_at_worst = overloaded_robots(of, *report.worst);
   report.overloaded_as_planned = overloaded_robots(of, greatest_of(report.planned));
   report.overloaded_at_rest = overloaded_robots(of);
@@ -409,7 +419,7 @@ void add_com_radius(Report& report, const ShownPlacement& of) {
                                   limits, changes);
   };
   const std::vector<std::optional<double>> no_limits(report.capacities.size());
-  report.com_radius = {within(report.capacities), within(no_limits)};
+  report.com_radius = {within(report.limits), within(no_limits)};
 }
 
 Report::Effective effective(const Placement& placement) {
@@ -423,11 +433,20 @@ Report::Effective effective(const Placement& placement) {
 
 }  // namespace
 
+std::optional<std::size_t> Report::most_used() const {
+  std::optional<std::size_t> most;
+  for (std::size_t i = 0; i < use.size(); ++i)
+    if (use[i] && (!most || *use[i] > *use[*most])) most = i;
+  return most;
+}
+
 Report report_of(const ShownPlacement& of, const Asked& asked) {
   Report report;
   report.has_capacities = has_capacities(of);
   report.has_own_capacities = has_own_capacities(of);
   report.effective = effective(of.placement);
+  if (const auto& weighing = of.placement.weighing)
+    report.readings_fit = fit_of(*weighing, of.shown.carrying);
   if (!of.placement.teams.empty()) {
     add_standing(report, of);
     add_loads(report, of, asked.model);
@@ -439,7 +458,9 @@ Report report_of(const ShownPlacement& of, const Asked& asked) {
 }
 
 void complete(Report& report, const ShownPlacement& of, const Asked& asked) {
-  if (const auto& limit = of.shown.capacity; asked.plans && report.has_capacities) {
+  if (asked.plans && report.has_capacities) {
+    std::optional<double> limit;
+    if (of.shown.capacity) limit = limit_of(*of.shown.capacity, of.shown.carrying);
     if (!report.plan) report.plan = limit ? plan_capacity(of.placement, *limit) : CapacityPlan{};
     if (!report.if_one_fails)
       report.if_one_fails = limit ? plan_for_failures(of, *limit) : FailurePlan{};
@@ -469,7 +490,7 @@ Report report_of_failure(const ShownPlacement& failing, std::size_t robot,
   add_standing(report, failing);
   report.tips = rest && !rest->stays;
   report.planned = loads_by(LoadModel::plan, failing.placement, std::nullopt);
-  if (report.has_capacities) report.capacities = capacities_of(failing);
+  add_capacities(report, failing);
   report.model = LoadModel::springs;
   report.loads = loads.empty() ? report.planned : std::move(loads);
   tell_overloads(report, failing);

@@ -34,7 +34,8 @@ constexpr CommandEntry commands[] = {
     {"place",
      Command::place,
      true,
-     {"candidates", "failures", "even_out", "require", "weight_per_area", "thickness", "density"}},
+     {"candidates", "failures", "even_out", "cases", "require", "weight_per_area", "thickness",
+      "density"}},
     {"candidates", Command::candidates, true, {}},
     {"svg", Command::svg, true, {"candidates"}},
     {"poses", Command::poses, true, {"format", "frame", "origin"}},
@@ -445,7 +446,8 @@ Problem Reader::take_members(Index object, Request& request) {
     return wrong;
   for (const auto& [name, flag] : {std::pair("candidates", &request.candidates),
                                    {"failures", &request.failures},
-                                   {"even_out", &request.even_out}})
+                                   {"even_out", &request.even_out},
+                                   {"cases", &request.cases}})
     if (auto wrong = take_flag(object, name, *flag)) return wrong;
   if (const auto at = given(object, "require")) {
     const Result<std::string> required = string(*at, "the conditions");

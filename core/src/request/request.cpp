@@ -41,7 +41,9 @@ std::string placement_answer(const Request& request, const Placement& placement,
                     {.models = true, .failures = failures, .plans = true});
   return placement_json(of, request.candidates, request.failures,
                         check_conditions(of, request.conditions),
-                        {std::move(moves), request.notices});
+                        {std::move(moves),
+                         request.cases ? std::optional(load_cases(of)) : std::nullopt,
+                         request.notices});
 }
 
 std::string svg_answer(const Request& request, const Placement& placement) {

@@ -130,6 +130,22 @@ class Settings(TypedDict, total=False):
     """How much the ground or a robot's height is off at most; without --give, loads can reach those at worst."""
     extra: Optional[Union[float, Literal["none"]]]
     """A further weight, such as a person: where it may stand."""
+    readings: Optional[Union[Iterable[float], str]]
+    """What each support reads, without tare: gives the weight and the centre of mass."""
+    reading_error: Optional[Union[float, str]]
+    """How far a reading may be off: a part of each, such as 1%, or a weight."""
+    level_error: Optional[Union[float, str]]
+    """How far the lifting points may be from level while one reads, as a slope."""
+    readings_tilted: Optional[Union[Iterable[float], str]]
+    """What each support reads on the slope of --tilted: gives the height of C."""
+    tilted: Optional[Union[float, str]]
+    """Slope of the second weighing: a ratio, 8% or 5deg."""
+    heading: Optional[Union[Point, str]]
+    """Direction uphill of the second weighing: a vector, or an angle such as 90deg."""
+    dynamic: Optional[float]
+    """Factor on the greatest loads before they meet a capacity, such as 1.2 (default 1)."""
+    weight_doubt: Optional[Union[float, str]]
+    """How far the weight may be off, either way: a part of it, such as 5%."""
 
 
 Position = list[float]
@@ -250,6 +266,8 @@ class PlaceOptions(Settings, PolygonOptions, WeightOptions, total=False):
     """The effect of each robot's failure."""
     even_out: Optional[bool]
     """Moves two or three supports to the edge so that all carry the same load."""
+    cases: Optional[bool]
+    """The loads in each case."""
     require: str
     """Conditions, such as `held, max<=20`."""
 
@@ -447,6 +465,8 @@ class _Robustness(TypedDict):
     """The number of failures, of whichever robots, after which C is still inside the others' convex hull by more than τL; −1 if C is not that far inside even with all robots, as with one team."""
     failures_clear: int
     """The number of failures after which C is still at least `clear` inside."""
+    safety: Optional[float]
+    """The tipping distance less `accuracy`, divided by how far the given conditions move the weight; `null` if they do not."""
     load_per_length: Optional[list[float]]
     """For each robot: the greatest change in its load by springs per unit of length that C moves; `null` if `models` is."""
 
@@ -592,7 +612,7 @@ class Capacity(TypedDict):
     if_one_fails: Optional[FailurePlan]
     """On the page `null` for balanced robots until it has been computed, since each number requires a search."""
     use: Optional[float]
-    """The greatest planned load as a part of its robot's capacity, under all given conditions; `null` if the object falls or tips under them."""
+    """The greatest use of a robot, under all given conditions; `null` if the object falls or tips under them."""
 
 
 class Requirement(TypedDict):
@@ -616,6 +636,52 @@ class Effective(TypedDict):
     """The setting, or its default of 12 % of R."""
     snap: float
     """The setting, or its default of 1e-4 L."""
+
+
+class Weighing(TypedDict):
+    """What the readings of supports tell."""
+
+    weight: float
+    """Of the object with its cargo."""
+    weight_error: float
+    """How far it may be off."""
+    centre_of_mass: Position
+    """Of the object with its cargo."""
+    radius: float
+    """How far that may be off: by errors of readings, `accuracy`, and the height of C times `level_error`."""
+    residuals: Optional[list[float]]
+    """By how much each reading differs from what equally stiff supports on even ground would read; `null` if fewer than four carry."""
+    fit: Optional[bool]
+    """Whether errors of readings, and uneven ground if it is given, explain these."""
+    suspect: Optional[int]
+    """If they do not: the support whose wrong reading would explain most, counted from 0, if it is the only one of at least five that carry."""
+    too_little: Optional[list[float]]
+    """If they do not: by how much each support reads too little if its reading alone is wrong."""
+    height: Optional[float]
+    """Of C above the lifting points, from a second weighing on a slope."""
+    height_error: Optional[float]
+    """How far that may be off."""
+    height_fits: Optional[bool]
+    """Whether the second readings add up to the same weight, or to its part across the slope."""
+
+
+class LoadCase(TypedDict):
+    """A case of loading."""
+
+    name: Union[Literal["level"], Literal["com"], Literal["slope"], Literal["acceleration"], Literal["uneven"], Literal["all"], Literal["failure"]]
+    """The condition that alone counts; all of them; or all of them after a robot has failed."""
+    failed: Optional[int]
+    """That robot, counted from 0."""
+    greatest: Optional[float]
+    """The greatest load, as planned; after a failure by springs. `null` if the object falls or can tip."""
+    robot: Optional[int]
+    """Whose it is."""
+    least: Optional[float]
+    """The least load; after a failure only without conditions."""
+    use: Optional[float]
+    """The greatest use of a robot."""
+    stays: bool
+    """Whether the object stands and cannot tip."""
 
 
 EvenedOut = TypedDict("EvenedOut", {"robot": int, "from": Position, "to": Position, "by": float})
@@ -706,6 +772,22 @@ class PlacementDict(_PlacementDict, total=False):
     """Length by which a robot gives way under the mean load; only if it is set."""
     uneven: float
     """How much the ground or a robot's height is off at most; without --give, loads can reach those at worst; only if it is set."""
+    readings: list[float]
+    """What each support reads, without tare: gives the weight and the centre of mass; only with supports."""
+    reading_error: Union[float, str]
+    """How far a reading may be off: a part of each, such as 1%, or a weight; only with supports."""
+    level_error: float
+    """How far the lifting points may be from level while one reads, as a slope; only with supports."""
+    readings_tilted: list[float]
+    """What each support reads on the slope of --tilted: gives the height of C; only with supports."""
+    tilted: float
+    """Slope of the second weighing: a ratio, 8% or 5deg; only with supports."""
+    heading: Position
+    """Direction uphill of the second weighing: a vector, or an angle such as 90deg; only with supports."""
+    dynamic: float
+    """Factor on the greatest loads before they meet a capacity, such as 1.2 (default 1); only if it is set."""
+    weight_doubt: float
+    """How far the weight may be off, either way: a part of it, such as 5%; only if it is set."""
     candidates: list[Candidate]
     """If they are asked for: in order of slope, for every method, even if it does not use candidates."""
     robots: list[Robot]
@@ -734,6 +816,12 @@ class PlacementDict(_PlacementDict, total=False):
     """If they are asked for."""
     extra: ExtraLoad
     """With `extra` only."""
+    weighing: Weighing
+    """With `readings` only."""
+    use: list[Optional[float]]
+    """With capacities only: how much of each robot is used, its greatest planned load under all given conditions, times `dynamic` and 1 + `weight_doubt`, divided by its capacity; `null` without one."""
+    cases: list[LoadCase]
+    """With `cases` only: the loads in each case."""
     capacity: Capacity
     """With `capacity` or a support's own capacity only."""
     requirements: list[Requirement]

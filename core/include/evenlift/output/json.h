@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "evenlift/cases.h"
 #include "evenlift/document.h"
 #include "evenlift/output/requirements.h"
 #include "evenlift/result.h"
@@ -18,9 +19,10 @@ namespace evenlift {
 // bytes are the same on every platform. Loads by models (Asked::models) must be known, and so must
 // failures if the text is to have them. Plans are in the text if they are known. O(output).
 // `beside` is what happened before: which supports were evened out, and what was left out of the
-// input.
+// input; and the cases of loading.
 struct Beside {
   std::optional<std::vector<SupportMove>> evened_out;
+  std::optional<std::vector<LoadCase>> cases;  // load_cases() (cases.h), if asked for
   std::vector<std::string> notices;
 };
 std::string placement_json(const Reported& of, bool with_candidates, bool with_failures,

@@ -24,8 +24,9 @@ namespace evenlift {
 //   max                the greatest planned load
 //   min                the least planned load
 //   spread             max - min, with C at its assumed place
-//   use                the greatest planned load as a part of its robot's capacity; none if no robot
-//                      has one
+//   use                the greatest use of a robot (Report::use); none if no robot has a capacity
+//   safety             the tipping distance less the accuracy, divided by the distance by which the
+//                      disturbance moves the weight; none if it does not
 //   max_after_failure  the greatest load by springs after any one failure, under the disturbance;
 //                      none if the object then falls or tips
 //   margin             the margin of form closure

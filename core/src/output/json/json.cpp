@@ -49,6 +49,17 @@ std::string value(const SettingRow& row, const Document& document) {
       return cargo(document.settings.cargo);
     case Setting::support_capacities:
       return capacities(document.shown.support_capacities);
+    case Setting::readings:
+      return numbers(document.settings.weighed.readings);
+    case Setting::readings_tilted:
+      return numbers(document.settings.weighed.tilted_readings);
+    case Setting::reading_error:
+      if (const auto& error = document.settings.weighed.error; !(error.percent > 0))
+        return number(error.weight);
+      break;
+    case Setting::heading:
+      if (const auto& heading = document.settings.weighed.heading) return pair(*heading);
+      break;
     default:
       break;
   }
@@ -268,6 +279,26 @@ std::string requirements_json(const std::vector<Requirement>& requirements) {
   return json::long_array(items, 1);
 }
 
+std::string uses_json(const Reported& of) {
+  std::vector<std::string> items;
+  for (const auto& use : of.report.use) items.push_back(json::number_or_null(use));
+  return json::array(items);
+}
+
+std::string cases_json(const std::vector<LoadCase>& cases) {
+  std::vector<std::string> items;
+  for (const LoadCase& each : cases)
+    items.push_back(json::object(
+        {{"name", json::text(name(each.kind))},
+         {"failed", each.failed ? std::to_string(*each.failed) : "null"},
+         {"greatest", json::number_or_null(each.greatest)},
+         {"robot", each.robot ? std::to_string(*each.robot) : "null"},
+         {"least", json::number_or_null(each.least)},
+         {"use", json::number_or_null(each.use)},
+         {"stays", json::boolean(each.stays)}}));
+  return json::long_array(items, 1);
+}
+
 std::string effective_json(const Report::Effective& effective) {
   return json::object({{"clear", json::number(effective.clear)},
                        {"apart", json::number(effective.apart)},
@@ -349,6 +380,9 @@ std::string placement_json(const Reported& of, bool with_candidates, bool with_f
   if (robots) members.push_back({"accuracy", json::accuracy(of, 1)});
   if (robots && with_failures) members.push_back({"failures", json::failures(of.report, 1)});
   add_carrying(members, of);
+  if (placement.weighing) members.push_back({"weighing", json::weighing(of, 1)});
+  if (of.report.has_capacities) members.push_back({"use", uses_json(of)});
+  if (beside.cases) members.push_back({"cases", cases_json(*beside.cases)});
   if (of.report.known.plans && of.report.has_capacities)
     members.push_back({"capacity", capacity_json(of)});
   if (!requirements.empty()) members.push_back({"requirements", requirements_json(requirements)});

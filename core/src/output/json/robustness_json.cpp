@@ -140,6 +140,25 @@ std::string extra(const std::optional<ExtraLoad>& extra, double weight, int dept
                      depth);
 }
 
+std::string weighing(const Reported& of, int depth) {
+  const Weighing& found = *of.placement.weighing;
+  const auto& fit = of.report.readings_fit;
+  const auto& height = found.height;
+  return long_object(
+      {{"weight", number(found.weight)},
+       {"weight_error", number(found.weight_error)},
+       {"centre_of_mass", pair(found.centre)},
+       {"radius", number(radius_of(found, of.placement.settings, of.shown.carrying.com_height))},
+       {"residuals", found.residuals.empty() ? "null" : numbers(found.residuals)},
+       {"fit", fit ? boolean(fit->fit) : "null"},
+       {"suspect", fit && fit->suspect ? std::to_string(*fit->suspect) : "null"},
+       {"too_little", fit && !fit->too_little.empty() ? numbers(fit->too_little) : "null"},
+       {"height", height ? number(height->height) : "null"},
+       {"height_error", height ? number(height->error) : "null"},
+       {"height_fits", height ? boolean(height->fits) : "null"}},
+      depth);
+}
+
 std::string robustness(const Reported& of, const std::optional<ModelLoads>& models, int depth) {
   const Placement& placement = of.placement;
   const double com_radius = of.shown.com_radius;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/tolerance.h"
@@ -67,14 +66,18 @@ Known worst_load(const Reported& of) {
   return *std::max_element(loads->begin(), loads->end());
 }
 
-// As planned, under the given conditions.
 Known greatest_use(const Reported& of) {
-  const auto& [loads, capacities] = std::tie(of.report.planned, of.report.capacities);
-  if (!is_carried(of)) return std::nullopt;
-  Known use;
-  for (std::size_t i = 0; i < capacities.size(); ++i)
-    if (capacities[i]) use = std::max(use.value_or(0), loads[i].greatest / *capacities[i]);
-  return use;
+  const auto most = of.report.most_used();
+  return is_carried(of) && most ? of.report.use[*most] : std::nullopt;
+}
+
+// How many times as far C may move before the object tips as the given conditions move it. Robots
+// that are off their places move the lifting base.
+Known safety(const Reported& of) {
+  const double reach = of.report.effect.reach,
+               off = of.placement.settings.accuracy.value_or(0);
+  if (!stands(of) || !(reach > 0)) return std::nullopt;
+  return std::max(0.0, of.report.robustness.tipping_distance - off) / reach;
 }
 
 // --- Facts
@@ -171,8 +174,11 @@ const Quantity rows[] = {
     {.value = greatest_use, .unit = Unit::share, .better = Better::less, .rounded = Toward::up,
      .condition = "use", .subject = "The greatest load as a part of the robot's capacity", .json = "capacity.use",
      .label = "Greatest use", .column = "use",
-     .about = "Of all robots, the greatest load as a part of the capacity; as planned, under the given conditions",
+     .about = "Of all robots, the greatest load as a part of the capacity; as planned, under the given conditions, times "
+              "the dynamic factor and 1 + the uncertainty of the weight",
      .needs_capacities = true},
+    {.value = safety, .better = Better::more, .rounded = Toward::down, .condition = "safety",
+     .subject = "The safety against tipping"},
     {.value = greatest_after_failure, .unit = Unit::weight, .better = Better::less, .rounded = Toward::up,
      .condition = "max_after_failure", .subject = "The greatest load after any one failure", .needs_failures = true},
 

@@ -219,7 +219,7 @@ std::string failure_in_words(const ShownPlacement& of, std::size_t robot,
                       "can tip."
                     : "Robot {robot} fails: the other {number} carry the object, {most}.",
                 {robot + 1, others, most});
-  return capacity && exceeds(greatest, *capacity)
+  return capacity && exceeds(greatest, limit_of(*capacity, of.shown.carrying))
              ? text + " " + say("Capacity: {capacity}.", {given_weight(*capacity, units)})
              : text;
 }

@@ -453,8 +453,14 @@ std::string verdict(const Reported& of) {
 }
 
 std::string limit_in_words(const ShownPlacement& of) {
-  return has_own_capacities(of) ? say("its capacity")
-                                : given_weight(*of.shown.capacity, of.shown.units);
+  const Carrying& carrying = of.shown.carrying;
+  const double factor = carrying.dynamic * (1 + carrying.weight_doubt);
+  if (factor == 1)
+    return has_own_capacities(of) ? say("its capacity")
+                                  : given_weight(*of.shown.capacity, of.shown.units);
+  if (has_own_capacities(of)) return say("its capacity divided by {factor}", {plain(factor)});
+  return say("{capacity} divided by {factor}",
+             {given_weight(*of.shown.capacity, of.shown.units), plain(factor)});
 }
 
 std::string capacity_in_words(const Reported& of) {
