@@ -395,8 +395,6 @@ export interface Robustness {
   failures_steady: number;
   /** The number of failures after which C is still at least `clear` inside. */
   failures_clear: number;
-  /** The tipping distance less `accuracy`, divided by how far the given conditions move the weight; `null` if they do not. */
-  safety: number | null;
   /** For each robot: the greatest change in its load by springs per unit of length that C moves; `null` if `models` is. */
   load_per_length: number[] | null;
   /** With a C uncertainty only: as given. */

@@ -265,7 +265,8 @@ void cmd_place(const Arguments& arguments) {
   const Asked asked = asked_by(options.robustness, input.document.shown);
   Beside beside;
   if (options.even_out) beside.evened_out = even_out(input, options);
-  const Outputs outputs = make_outputs(input, options, pose_file, asked, conditions, std::move(beside));
+  const Outputs outputs =
+      make_outputs(input, options, pose_file, asked, conditions, std::move(beside));
   if (outputs.svg) write_file(*options.svg, *outputs.svg);
   if (outputs.poses) write_file(pose_file->file, *outputs.poses);
   write_output(outputs.printed);

@@ -166,6 +166,9 @@ void SettingOptions::apply(Document& document) const {
   const Method method = document.settings.method;
   if (const Typed& supports = typed(Setting::supports)) supports_option(*supports, document, weigh);
   if (typed(Setting::method)) document.settings.method = method;
+  for (const Setting needs : {Setting::tilted, Setting::heading})
+    if (typed(needs) && document.settings.weighed.tilted_readings.empty())
+      throw Failure{bad_input_status, as_typed(name(needs)), "applies to --readings-tilted"};
   if (is_weighed(document.settings) && typed(Setting::weight))
     throw Failure{bad_input_status, "--weight",
                   "the readings give the weight: leave out the weight, or the readings"};

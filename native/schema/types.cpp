@@ -331,7 +331,8 @@ constexpr TypeMember weighing[] = {
     {"residuals", "number[] | null",
      "by how much each reading differs from what equally stiff supports on even ground would read; `null` if fewer than "
      "four carry"},
-    {"fit", "boolean | null", "whether errors of readings, and uneven ground if it is given, explain these"},
+    {"fit", "boolean | null",
+     "whether errors of readings, and uneven ground if it is given, explain these"},
     {"suspect", "integer | null",
      "if they do not: the support whose wrong reading would explain most, counted from 0, if it is the only one of at "
      "least five that carry"},
@@ -417,7 +418,8 @@ constexpr TypeMember placement[] = {
     {"use?", "(number | null)[]",
      "with capacities only: how much of each robot is used, its greatest planned load under all given conditions, times "
      "`dynamic` and 1 + `weight_doubt`, divided by its capacity; `null` without one"},
-    {"cases?", "LoadCase[]", "with `cases` only: [the loads in each case](who-bears-what.md#cases)"},
+    {"cases?", "LoadCase[]",
+     "with `cases` only: [the loads in each case](who-bears-what.md#cases)"},
     {"capacity?", "Capacity", "with `capacity` or a support's own capacity only"},
     {"requirements?", "Requirement[]", "if conditions are required"},
     {"effective", "Effective", "lengths that settings have here, whether or not they are set"},

@@ -38,6 +38,10 @@ bool by_own_hand(const AppState& s) {
 
 bool can_change_method(const AppState& s) { return editing(s) && !stays_by_hand(s); }
 
+bool is_weighed(const AppState& s) {
+  return editing(s) && s.derived().placement && s.derived().placement->weighing;
+}
+
 bool can_even_out(const AppState& s) { return by_own_hand(s) && !s.view.challenge; }
 
 bool on_own_robot(const AppState& s) { return on_robot(s) && by_own_hand(s); }

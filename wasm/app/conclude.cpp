@@ -4,6 +4,7 @@
 #include <string>
 
 #include "derive/derive.h"
+#include "edits/undo.h"
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
 #include "state/derived.h"
@@ -19,6 +20,14 @@ void part_methods(AppState& state) {
   const Method now = settings(state).method, former = state.derived().placed.settings.method;
   std::optional<Method>& second = state.work.second_method;
   if (second == now) second = former == now ? std::nullopt : std::optional<Method>(former);
+}
+
+// What readings told stays when they no longer apply.
+void settle_readings(AppState& state) {
+  auto settled = without_stale_readings(state, state.work.document());
+  if (!settled) return;
+  state.work.edit() = *std::move(settled);
+  show(state, {Notice::Kind::info, say("The weight and C stay as they were weighed.")});
 }
 
 std::string refusal_in_words(const AppState& state) {
@@ -53,7 +62,10 @@ void conclude(AppState& state) {
   const Basis before = facts.basis;
   const RobotSize robot = facts.placed.settings.robot;
   const std::string refusal = refusal_in_words(state);
-  if (state.work.edits() != before.edits) part_methods(state);
+  if (state.work.edits() != before.edits) {
+    part_methods(state);
+    settle_readings(state);
+  }
   derive(state);
   // The view makes room for larger robots.
   if (state.view.camera_follows && !(facts.placed.settings.robot == robot))

@@ -157,6 +157,15 @@ struct Applier {
   void operator()(const PutRobot& c) const { put_support(state, c.robot, c.at); }
   void operator()(const RemoveRobot& c) const { remove_support(state, c.robot); }
   void operator()(const EvenOut&) const { even_out_supports(state); }
+  void operator()(SetReadings& c) const {
+    edit(state, false, edit_of(row_of(Setting::readings))) = std::move(c.document);
+  }
+  void operator()(const TakeOver&) const {
+    const auto& placement = state.derived().placement;
+    if (!placement || !placement->weighing || lags(state)) return;
+    Document own = evenlift::taken_over(state.work.document(), *placement->weighing);
+    edit(state, false, edit_of(row_of(Setting::readings))) = std::move(own);
+  }
   void operator()(const ResetRobots&) const { put_robots_back(state); }
   void operator()(TakeRobots& c) const {
     const Search& search = state.derived().search;

@@ -107,7 +107,15 @@ std::optional<InputError> check_robot(const Placement& placement, std::uint64_t 
 
 }  // namespace
 
-std::optional<InputError> try_edit(AppState& state, const Document& edited, std::uint64_t failed) {
+std::optional<Document> without_stale_readings(const AppState& state, const Document& edited) {
+  const Derived& facts = state.derived();
+  if (!facts.placement || !facts.placement->weighing) return std::nullopt;
+  return settled_after_edit(edited, facts.placed, *facts.placement->weighing);
+}
+
+std::optional<InputError> try_edit(AppState& state, const Document& wanted, std::uint64_t failed) {
+  const auto settled = without_stale_readings(state, wanted);
+  const Document& edited = settled ? *settled : wanted;
   if (places_nothing(state, edited)) {
     if (auto problem = check_robot(*state.derived().placement, failed)) return problem;
     const Shown before = shown(state);

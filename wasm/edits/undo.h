@@ -55,6 +55,10 @@ Edit edit_between(const Document& before, const Document& after);
 // O(bytes).
 Shown with_changes(const Shown& shown, const Shown& before, const Shown& after);
 
+// The edited document with what readings told, if the present document has readings that no longer
+// apply after this edit (settled_after_edit() of weighing.h); otherwise nothing. O(document).
+std::optional<Document> without_stale_readings(const AppState& state, const Document& edited);
+
 // --- Edits by scripts and in the table of vertices. Each edit is accepted or refused as a whole.
 
 // Takes over an edited document as one step of undo, or returns why it is refused and changes

@@ -38,6 +38,7 @@ constexpr RequestKind kinds[] = {
       "mostBalanced"},
      results},
     {"optimum", {"link", "seconds"}, optimum},
+    {"cases", {"link"}, cases},
     {"shapes", {"text", "tolerance"}, shapes},
     {"place_parts",
      {"text", "tolerance", "settings", "capacity", "per_area", "thickness", "density"},

@@ -20,6 +20,7 @@
 #include "evenlift/link.h"
 #include "evenlift/numbers.h"
 #include "evenlift/output/json_text.h"
+#include "evenlift/output/weighing_words.h"
 #include "evenlift/output/words.h"
 #include "evenlift/polygon.h"
 #include "evenlift/stands.h"
@@ -353,12 +354,14 @@ EMSCRIPTEN_KEEPALIVE const char* page_robots(int first, int count) {
   const auto [from, to] = part_of(robots.size(), first, count);
   const auto& placement = *state.derived().placement;
   const std::vector<double> loads = planned_loads(placement.teams);
+  const std::vector<double>& readings = settings(state).weighed.readings;
   std::vector<std::string> rows;
   for (std::size_t i = from; i < to; ++i) {
     const std::string load =
         placement.loads ? load_in_words(loads[i], placement.loads->max, shown(state).units) : "–";
-    rows.push_back(
-        json::array({json::number(robots[i].x), json::number(robots[i].y), json::text(load)}));
+    const std::string reading = i < readings.size() ? json::number(readings[i]) : json::text("");
+    rows.push_back(json::array(
+        {json::number(robots[i].x), json::number(robots[i].y), reading, json::text(load)}));
   }
   return hand_over(json::array(rows));
 }
@@ -381,6 +384,37 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_robot(int robot, std::size_t axis, con
   carry_out({EndEdit{}, PutRobot{static_cast<std::size_t>(robot), to}, EndEdit{}});
   return hand_over({});
 }
+
+// What all robots read, with spaces between; "none" without readings. They give the weight and C, in
+// place of those that were given. Robots of other methods are taken over.
+EMSCRIPTEN_KEEPALIVE const char* page_set_readings(const char* text) {
+  AppState& state = app().state;
+  if (!state.derived().placement) return hand_over({});
+  Document weighed = state.work.document();
+  weighed.settings = evenlift::view::taken_over(weighed.settings, *state.derived().placement);
+  weighed.moved = {};
+  if (const auto wrong = read_setting(evenlift::Setting::readings, text, weighed))
+    return hand_over(sentence(*wrong));
+  if (!weighed.settings.weighed.readings.empty()) {
+    weighed.centre_of_mass.reset();
+    weighed.settings.weight = evenlift::Settings{}.weight;
+  }
+  if (const auto placed = evenlift::place(weighed); !placed)
+    return hand_over(std::string(translated(placed.error().message)));
+  carry_out({EndEdit{}, SetReadings{std::move(weighed)}, EndEdit{}});
+  return hand_over({});
+}
+
+// What the readings tell; empty without any.
+EMSCRIPTEN_KEEPALIVE const char* page_weighed() {
+  const AppState& state = app().state;
+  const auto& placement = state.derived().placement;
+  return hand_over(
+      placement && !state.derived().refusal && placement->weighing
+          ? evenlift::weighed_in_words({{*placement, shown(state)}, state.derived().report})
+          : std::string());
+}
+EMSCRIPTEN_KEEPALIVE void page_take_over() { carry_out({TakeOver{}}); }
 
 EMSCRIPTEN_KEEPALIVE void page_add_robot() { carry_out({AddRobot{}}); }
 

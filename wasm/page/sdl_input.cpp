@@ -52,9 +52,9 @@ namespace evenlift::view::browser {
 namespace {
 
 const char* name_of(Dialog dialog) {
-  constexpr const char* names[] = {"samples",    "open",    "save",    "table", "lessons",
-                                   "experiment", "curves",  "keys",    "about", "glossary",
-                                   "welcome",    "optimum", "language"};
+  constexpr const char* names[] = {"samples",    "open",    "save",     "table", "lessons",
+                                   "experiment", "curves",  "keys",     "about", "glossary",
+                                   "welcome",    "optimum", "language", "cases"};
   static_assert(std::size(names) == static_cast<std::size_t>(Dialog::end_of_dialogs));
   return names[static_cast<std::size_t>(dialog)];
 }

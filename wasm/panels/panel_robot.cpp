@@ -290,6 +290,14 @@ const RatioRow ratios[] = {
      "Greatest acceleration along the ground in any direction, in g, or with its unit: 2 m/s2",
      "Greatest acceleration, in g", [](double value) { return plain(value) + "\u00A0g"; },
      [](double value) { return shortest(value); }},
+    {&Carrying::dynamic, Setting::dynamic, 0.05, "dynamic", "Dynamic factor",
+     "Factor on the greatest loads before they meet a capacity: a crane's lift 1.1 to 1.3",
+     "Dynamic factor", [](double value) { return plain(value); },
+     [](double value) { return shortest(value); }},
+    {&Carrying::weight_doubt, Setting::weight_doubt, 0.01, "weight off", "Weight off by",
+     "How far the weight may be off, either way, as a part of it", "How far the weight may be off",
+     [](double value) { return slope_in_words(value); },
+     [](double value) { return exact_percentage(value); }},
 };
 
 void draw_ratio(const Ui& ui, const RatioRow& row) {
@@ -339,6 +347,10 @@ void draw_carrying_rows(const Ui& ui) {
   draw_length(ui, uneven);
   draw_optional(ui, give);
   draw_optional(ui, extra);
+  if (flat_button(ui, "cases", "All cases …", ImGui::GetContentRegionAvail().x))
+    ui.push(OpenDialog{Dialog::cases});
+  if (ImGui::IsItemHovered())
+    tip(ui, "The loads in each case: each condition alone, all of them, and each failure");
   const std::string words = carrying_words(ui.state);
   if (!words.empty()) text_block(Face::label, ui.theme.second_text, words);
   if (now.has_height())

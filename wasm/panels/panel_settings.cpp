@@ -56,8 +56,15 @@ void draw_ratio(const Ui& ui) {
   if (moved.released) ui.push(EndEdit{});
 }
 
+// What readings told, if there are any.
+const Placement* weighed(const Ui& ui) {
+  const auto& placement = ui.state.derived().placement;
+  return placement && placement->weighing ? &*placement : nullptr;
+}
+
 void draw_weight(const Ui& ui) {
   Settings changed = settings(ui.state);
+  if (const Placement* placement = weighed(ui)) changed.weight = placement->settings.weight;
   const float width = labelled(ui, "Weight", "Weight of the whole object");
   const std::string label = say("Weight in {unit}", {weight_unit(ui.state)});
   const int by = stepper(ui, "weight", given_weight(changed.weight, shown(ui.state).units), width,
@@ -85,19 +92,52 @@ void draw_seed(const Ui& ui) {
   ui.push(SetSettings{changed});
 }
 
+struct WeighingRow {
+  Setting setting;
+  const char *label, *about;
+};
+constexpr WeighingRow weighing_rows[] = {
+    {Setting::reading_error, "Readings off by",
+     "How far a reading may be off: a part of each, such as 1%, or a weight"},
+    {Setting::level_error, "Level within",
+     "How far from level the robots' lifting points may be while you read, such as 1% or 0.5°"},
+    {Setting::tilted, "Second: slope",
+     "A second weighing on a known slope tells the height of C: its slope, such as 5°"},
+    {Setting::heading, "Second: uphill", "The direction uphill, such as 1,0 or 90°"},
+    {Setting::readings_tilted, "Second: readings",
+     "What the robots read on that slope, in their order, with spaces between"},
+};
+
+// What the robots' readings tell (web/windows/table.js), and a way to keep it without them.
+void draw_weighing(const Ui& ui) {
+  if (!weighed(ui)) return;
+  text_block(Face::label, ui.theme.second_text, weighing_words(ui.state));
+  if (flat_button(ui, "take over", "Take over", ImGui::GetContentRegionAvail().x))
+    action(ActionId::take_over).run(ui.state, ui.commands);
+  if (ImGui::IsItemHovered())
+    tip(ui, "Makes this weight and C the object's, so that any method can place robots for it");
+  for (const WeighingRow& row : weighing_rows) {
+    const std::string id(name(row.setting));
+    const float width = labelled(ui, row.label, row.about);
+    text_field(ui, id.c_str(), row.label, id.c_str(),
+               text_of(row.setting, ui.state.work.document()), width);
+  }
+}
+
 void draw_centre(const Ui& ui) {
   const float width = labelled(
       ui, "Centre of mass", "Drag it in the drawing, or type x and y; the default is the centroid");
   const bool own = ui.state.work.document().centre_of_mass.has_value();
   const float reset = own ? ui.control() : 0;
   const std::string value =
-      own ? point_in_words(centre_of_mass(ui.state),
-                           coordinate_decimals(ui.state.work.document().vertices))
-          : "centroid";
+      own || weighed(ui) ? point_in_words(centre_of_mass(ui.state),
+                                          coordinate_decimals(ui.state.work.document().vertices))
+                         : "centroid";
   const Vec2 centre = centre_of_mass(ui.state);
-  const std::string exact = own ? shortest(centre.x) + ", " + shortest(centre.y) : "";
+  const std::string exact =
+      own || weighed(ui) ? shortest(centre.x) + ", " + shortest(centre.y) : "";
   text_field(ui, "com", "Centre of mass, x and y", "com", value, width - reset, exact);
-  if (!own) return;
+  if (!own) return draw_weighing(ui);
   ImGui::SameLine(0, 0);
   if (icon_button(ui, "centroid", Icon::close, true, "Back to the centroid", ui.control()))
     ui.push(ReleaseCentre{});

@@ -6,6 +6,7 @@
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/verdict.h"
+#include "evenlift/output/weighing_words.h"
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
 #include "tools/drawing.h"
@@ -209,6 +210,11 @@ std::string carrying_words(const AppState& state) {
                                       tilt_in_words(whole(state)), extra_in_words(whole(state))})
     if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;
   return text;
+}
+
+std::string weighing_words(const AppState& state) {
+  const Derived& facts = state.derived();
+  return facts.placement && !facts.refusal ? weighing_in_words(whole(state)) : std::string();
 }
 
 Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest) {

@@ -58,6 +58,7 @@ std::string uncertainty_words(const AppState& state);
 // The slope at which the object tips (tilt.h), and the places where a further load may stand; empty
 // if the user asks about neither.
 std::string carrying_words(const AppState& state);
+std::string weighing_words(const AppState& state);  // empty without readings
 
 // The unit of weights, such as "kg".
 std::string weight_unit(const AppState& state);

@@ -84,7 +84,11 @@ struct PutRobot {  // puts a robot exactly at a typed place
 struct RemoveRobot {
   std::optional<std::size_t> robot;  // the number from 0; nothing: the last robot
 };
-struct EvenOut {};      // moves two or three given supports so that all loads become equal
+struct EvenOut {};    // moves two or three given supports so that all loads become equal
+struct SetReadings {  // of all robots, which then give the weight and C
+  Document document;
+};
+struct TakeOver {};     // makes what the readings told the object's, without readings
 struct ResetRobots {};  // moves the robots back to where the method placed them
 
 // Reports a result of the search with this number (Given::Found). If `robots` is missing, the
@@ -315,11 +319,11 @@ struct AddStep {
 using AnyCommand = std::variant<
     SetSettings, SetMethod, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
     AddWeight, SetCargo, OpenDocument, SetPolygon, EndEdit, MoveRobot, PlaceYourself, CloseTask,
-    SetChallenge, AddRobot, PutRobot, RemoveRobot, EvenOut, ResetRobots, Undo, Redo, SetShown,
-    SetTool, GripPolygon, AddPoint, MovePoint, TakePointBack, PutPointBack, FinishDrawing,
-    SetDrawCursor, TypeEdge, WithdrawEdge, SetSnap, Compare, Fail, SetLoadModel, SetMotion,
-    OpenWalkthrough, CloseWalkthrough, GoToStep, MoveSteps, MoveChapters, SetPlaying, SetSpeed,
-    SetPredict, Guess, PointAtChoice, AskWhy, Measure, HoverFigure, Explain, ShowInLesson,
+    SetChallenge, AddRobot, PutRobot, RemoveRobot, EvenOut, SetReadings, TakeOver, ResetRobots,
+    Undo, Redo, SetShown, SetTool, GripPolygon, AddPoint, MovePoint, TakePointBack, PutPointBack,
+    FinishDrawing, SetDrawCursor, TypeEdge, WithdrawEdge, SetSnap, Compare, Fail, SetLoadModel,
+    SetMotion, OpenWalkthrough, CloseWalkthrough, GoToStep, MoveSteps, MoveChapters, SetPlaying,
+    SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy, Measure, HoverFigure, Explain, ShowInLesson,
     LeaveScript, ShowAllSteps, SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView,
     ZoomView, SetPanelOpen, SetSectionOpen, SetErases, ListIsOpen, CloseList, SetSheet,
     MeasureSheet, MeasureNotice, CopyLink, TypeValue, OpenDialog, OpenPage, LayOutAgain, TakeRobots,

@@ -133,6 +133,7 @@ Document with_settings_of(Document polygon, const Document& before) {
 Result<Opened> opened_after(Document polygon, const Work& work) {
   const Document& before = work.document();
   polygon = with_settings_of(std::move(polygon), before);
+  polygon.settings.weighed = {};
   if (before.settings.method == Method::given) {
     const auto robots = static_cast<std::uint32_t>(before.settings.supports.size());
     polygon.settings = with_method(polygon.settings, work.aside.method.value_or(Method::area), 3);

@@ -30,6 +30,7 @@ enum class Dialog : std::uint8_t {
   welcome,
   optimum,
   language,
+  cases,
   end_of_dialogs  // not a dialog; stays last and counts the dialogs, all of which must have names
 };
 

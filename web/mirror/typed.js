@@ -56,7 +56,7 @@ const strange = new RegExp(`^${number}\\s*([A-Za-zµ"'′″]+)$`);
 // stop; "" for neither. `setting` and `own` are as below; `isLength` marks a length, even without a unit.
 export function typedProblem(typed, setting, own, isLength) {
   const text = tidied(typed);
-  if (["no_go", ...ratios].includes(setting)) return "";
+  if (["no_go", "readings", "readings_tilted", ...ratios].includes(setting)) return "";
   if (setting !== "com" && grouped.test(text)) {
     const digits = text.replace(/\s*[a-z]+$/i, ""),
       whole = digits.replaceAll(",", ""),
@@ -89,7 +89,9 @@ export function typedProblem(typed, setting, own, isLength) {
   return say(pattern, { text, from, own });
 }
 
-const ratios = ["slope", "acceleration"]; // the program reads their units
+// The program reads their units. Without one, these are in percent.
+const percents = ["slope", "weight_doubt", "level_error", "tilted"];
+const ratios = [...percents, "acceleration", "reading_error", "heading"];
 
 const known = ["all", "centroid", "no limit", "none"];
 const inEnglish = (text) =>
@@ -115,7 +117,9 @@ export function settingValue(typed, setting = "", own = "") {
   if (setting === "teams" && text.toLowerCase() === "all") return "max"; // as on the button
   if (setting === "capacity" && text.toLowerCase() === "no limit") return "none";
   // A number without a unit has the one that is shown.
-  if (ratios.includes(setting)) return setting === "slope" ? slopeValue(text) : point(text);
+  if (setting.startsWith("readings")) return text.replaceAll(";", " ");
+  if (setting === "heading") return twoWithComma.test(text) ? text.replaceAll(" ", "") : point(text);
+  if (ratios.includes(setting)) return percents.includes(setting) ? slopeValue(text) : point(text);
   const single = setting === "com" ? null : one.exec(text); // here "10,20" means two numbers
   if (single) return single[2] ? (converted(single[1], single[2], own) ?? text) : point(single[1]);
   const pair = two.exec(text);

@@ -6,9 +6,12 @@ import { idle } from "./work.js";
 
 // set() writes its changes as text for the program, which checks them (settings.h). A value that is neither a number
 // nor a word becomes JSON, which every setting refuses.
-const lists = ["com", "overlays"];
+const lists = ["com", "overlays", "heading"];
 // As the program reads them: "r=30,reach=5", "3,5:0.25-0.75", "0,0 160,0@30", "30,none", "8%".
-const texts = ["robot", "no_go", "supports", "support_capacities", "cargo", "slope"];
+const texts = [
+  ...["robot", "no_go", "supports", "support_capacities", "cargo", "slope", "weight_doubt"],
+  ...["readings", "reading_error", "level_error", "readings_tilted", "tilted", "heading"],
+];
 
 function word(value) {
   const other = typeof value === "object" || (typeof value === "string" && !/^[a-zA-Z]+$/.test(value));
@@ -22,6 +25,7 @@ function load({ at, weight, name = "" } = {}) {
 function written(name, value) {
   if (value === null) return name === "com" ? "centroid" : "none";
   if (Array.isArray(value) && name === "supports") return value.map((at) => written("com", at)).join(" ") || "none";
+  if (Array.isArray(value) && name.startsWith("readings")) return value.map(word).join(" ") || "none";
   if (Array.isArray(value) && name === "support_capacities") return value.map((load) => word(load ?? "none")).join(",");
   if (Array.isArray(value) && name === "cargo") return value.map(load).join(" ") || "none";
   if (Array.isArray(value) && lists.includes(name)) return value.map(word).join(",") || "none";

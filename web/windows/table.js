@@ -41,8 +41,8 @@ const lists = {
     pointed: "page_hovered_robot",
     select: "page_point_at_robot",
     add: ["page_add_robot", "Add a robot"],
-    columns: ["x", "y", "Load"],
-    typed: ["x", "y"],
+    columns: ["x", "y", "Reads", "Load"],
+    typed: ["x", "y", "reads"],
     digits: 6,
     least: 1,
   },
@@ -78,7 +78,7 @@ export async function show(page) {
       table.refusal,
       table.problem,
       table.scroll,
-      el("footer", {}, table.pager, table.centre.row, table.more),
+      el("footer", {}, table.pager, table.centre.row, table.weighed.row, table.more),
     ],
     closed: () => table.disconnect(),
   });
@@ -91,6 +91,7 @@ class Table {
   #rows = []; // of the current page
   #from = 0; // the first vertex or robot of that page
   #selected = -1;
+  #readings = new Map(); // of robots, while others have none
   #leave = new AbortController();
   #due; // of the next update
 
@@ -119,6 +120,7 @@ class Table {
       onclick: () => openText(page, { edited: this.#text() }),
     });
     this.centre = this.#centreRow();
+    this.weighed = this.#weighedRow();
     this.pager = this.#pagerRow();
   }
 
@@ -176,6 +178,7 @@ class Table {
     this.scroll.classList.toggle("many", list.typed.length > 2);
     this.whole.hidden = !vertices;
     this.centre.row.hidden = !vertices;
+    this.#readings.clear();
     this.more.hidden = vertices;
     this.more.textContent = vertices ? "" : translated(list.add[1]);
     this.problem.say("");
@@ -262,6 +265,37 @@ class Table {
     };
   }
 
+  // What the robots' readings tell.
+  #weighedRow() {
+    const said = el("p", { class: "second", role: "status" });
+    const takeOver = button("Take over", {
+      title: "Makes this weight and C the object's, so that any method can place robots for it",
+      onclick: () => this.#program.call("page_take_over"),
+    });
+    return { row: el("div", { class: "row weighed" }, said, takeOver), said, takeOver };
+  }
+
+  // Readings count once each robot has one; until then they wait here.
+  #setReading(robot, text) {
+    const program = this.#program;
+    const count = program.number(this.#list.count);
+    const known = program.json(this.#list.read, 0, count).map((values) => String(values[2]));
+    const all = known.map((value, i) => this.#readings.get(i) ?? value);
+    all[robot] = text;
+    this.#readings.set(robot, text);
+    if (all.every((value) => value === "")) {
+      this.#readings.clear();
+      return program.text("page_set_readings", "none");
+    }
+    if (all.some((value) => value === "")) {
+      all.forEach((value, i) => this.#readings.set(i, value)); // one was cleared: the others stay here
+      return program.text("page_set_readings", "none");
+    }
+    const problem = program.text("page_set_readings", all.join(" "));
+    if (!problem) this.#readings.clear();
+    return problem;
+  }
+
   #pagerRow() {
     const turn = (by) => {
       this.#from += by * most;
@@ -313,6 +347,7 @@ class Table {
     const pointed = program.number(list.pointed);
     program.json(list.read, this.#from, shown).forEach((values, i) => {
       const { row, inputs, remove, load, vertex } = this.#rows[i];
+      if (list === lists.robots) values[2] = this.#readings.get(vertex) ?? values[2];
       write(inputs, values.slice(0, inputs.length), list.digits);
       if (load) load.textContent = values[inputs.length];
       row.className = vertex === selected ? "selected" : vertex === pointed ? "hovered" : "";
@@ -321,6 +356,13 @@ class Table {
     write(this.centre.inputs, program.json("page_centre"), lists.vertices.digits);
     this.centre.release.disabled = !program.number("page_centre_is_given");
     this.refusal.say(program.text("page_refusal"));
+    const weighed = list === lists.robots ? program.text("page_weighed") : "";
+    const waits = list === lists.robots && this.#readings.size > 0;
+    this.weighed.row.hidden = !weighed && !waits;
+    this.weighed.takeOver.hidden = !weighed || waits;
+    this.weighed.said.textContent = waits
+      ? translated("Type what each robot reads: together they tell the weight and C.")
+      : weighed;
     this.pager.hidden = count <= most;
     this.back.disabled = this.#from === 0;
     this.next.disabled = this.#from + shown >= count;
@@ -350,14 +392,18 @@ class Table {
     const unit = this.#program.text("page_length_unit"),
       own = unit === "none" ? "" : unit;
     const isName = this.#list.typed[axis] === "name";
-    const problem =
-      (!isName && typedProblem(input.value, "", own, true)) ||
-      this.#program.text(
-        vertex < 0 ? "page_set_coordinate" : this.#list.write,
-        vertex,
-        axis,
-        isName ? input.value : settingValue(input.value, "", own),
-      );
+    const isReading = vertex >= 0 && this.#list.typed[axis] === "reads";
+    const unitOfWeight = this.#program.text("page_weight_unit");
+    const problem = isReading
+      ? (input.value && typedProblem(input.value, "", unitOfWeight, false)) ||
+        this.#setReading(vertex, input.value && settingValue(input.value, "", unitOfWeight))
+      : (!isName && typedProblem(input.value, "", own, true)) ||
+        this.#program.text(
+          vertex < 0 ? "page_set_coordinate" : this.#list.write,
+          vertex,
+          axis,
+          isName ? input.value : settingValue(input.value, "", own),
+        );
     if (problem) {
       input.setAttribute("aria-invalid", "true");
       const name = input.getAttribute("aria-label");
@@ -366,6 +412,7 @@ class Table {
     }
     this.#accept(input);
     input.dataset.is = ""; // so that it appears again as the program writes it
+    if (!input.value) input.dataset.shown = "";
     this.#refresh();
   }
 

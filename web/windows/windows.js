@@ -1,6 +1,7 @@
 // The page's windows, and functions that open texts from outside: one file, loaded at the first use.
 export { ensureStyles } from "../kit/dialogs.js";
 export { curves, show as experiment } from "../experiment/experiment.js";
+export { show as cases } from "./cases.js";
 export { show as challenge } from "./challenge.js";
 export { show as about } from "./about.js";
 export { show as samples } from "./gallery.js";

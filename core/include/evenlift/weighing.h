@@ -53,8 +53,8 @@ struct Weighing {
 // Weighs with these supports, the lifting points of the supports of `settings` in their order, on an
 // object of diameter L. The errors name the setting: as many readings as supports; at least three
 // supports that are not on one line within tau L; a sum of readings, less their errors, above 0 and
-// above the weight of the cargo; C inside the supports' hull by more than tau L; a second weighing
-// with all three of its settings. O(m log m), and O(m^2) if more than three supports carry.
+// above the weight of the cargo; C inside the supports' hull by more than tau L; second readings
+// with their slope and direction. O(m log m), and O(m^2) if more than three supports carry.
 Result<Weighing> weigh(const Points& supports, const Settings& settings, double diameter);
 
 // What the readings say about the supports, within the errors of readings and, if both are given,
@@ -83,6 +83,13 @@ Shown as_weighed(const Weighing& weighing, const Settings& settings, Shown shown
 // The document in which the weight, the centre of mass, its uncertainty and its height are what the
 // weighing found, and which has no readings: any method may place robots next. O(document).
 Document taken_over(Document document, const Weighing& weighing);
+
+// After an edit, readings no longer apply if robots were added or removed, places are no longer given,
+// cargo changed, or the weight or C is given now. Then this returns the edited document with what
+// they told taken over, except what the edit gives; otherwise nothing. `before` is the weighed
+// document. O(document).
+std::optional<Document> settled_after_edit(const Document& edited, const Document& before,
+                                           const Weighing& weighing);
 
 // The weight and the centre of mass of the object alone, without the cargo of `settings`. The
 // weighing's weight must be more than that of the cargo. O(items).

@@ -437,9 +437,9 @@ std::optional<double> weight_unit_of(std::string_view heading) {
   unit = trimmed(unit.substr(0, unit.find_first_of(")]")));
   constexpr double newton = 1 / 9.80665;
   const std::pair<std::string_view, double> known[] = {
-      {"kg", 1},           {"kgf", 1},          {"g", 0.001},         {"t", 1000},
-      {"to", 1000},        {"lb", 0.45359237},  {"lbs", 0.45359237},  {"lbf", 0.45359237},
-      {"n", newton},       {"dan", 10 * newton}, {"kn", 1000 * newton}};
+      {"kg", 1},     {"kgf", 1},           {"g", 0.001},         {"t", 1000},
+      {"to", 1000},  {"lb", 0.45359237},   {"lbs", 0.45359237},  {"lbf", 0.45359237},
+      {"n", newton}, {"dan", 10 * newton}, {"kn", 1000 * newton}};
   for (const auto& [name, kilograms] : known)
     if (same_word(unit, name)) return kilograms;
   return open == std::string_view::npos ? std::nullopt : std::optional(0.0);
@@ -455,9 +455,9 @@ bool names_capacity(std::string_view heading) {
 // "reading", "Load (kg)", "weight", "kg".
 bool names_reading(std::string_view heading) {
   static constexpr std::string_view readings[] = {
-      "reading", "readings", "reads",   "scale",   "load",    "loads",   "weight", "kg", "lb",
-      "n",       "kn",       "anzeige", "ablesung", "last",    "gewicht", "messwert",
-      "lecture", "charge",   "poids",   "lectura", "carga",   "peso"};
+      "reading", "readings", "reads", "scale",   "load",     "loads", "weight",  "kg",
+      "lb",      "n",        "kn",    "anzeige", "ablesung", "last",  "gewicht", "messwert",
+      "lecture", "charge",   "poids", "lectura", "carga",    "peso"};
   const std::string letters = letters_of(heading);
   return std::find(std::begin(readings), std::end(readings), letters) != std::end(readings);
 }
@@ -497,7 +497,8 @@ Result<SupportFile> read_table(std::string_view text) {
   };
   const auto of_capacities = unit_in(columns.capacity), of_readings = unit_in(columns.reading);
   if (of_capacities == 0.0)
-    return gathered.error(0, "the unit of the capacities is not known; it may be kg, t, N, kN or lb");
+    return gathered.error(0,
+                          "the unit of the capacities is not known; it may be kg, t, N, kN or lb");
   gathered.set_units(of_capacities, of_readings);
   for (auto line = lines.next(); line; line = lines.next()) {
     const Fields cells = split_cells(line->text, separator);

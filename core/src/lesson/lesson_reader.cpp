@@ -108,8 +108,9 @@ class Reader {
     for (const Key& own : keys)
       if (own.name == key) return (this->*own.take)(value);
     if (setting) return take_setting(value, *setting);
-    refuse(say("unknown setting; the settings are {names}, and the options of evenlift place, such as teams",
-               {names_of_keys()}));
+    refuse(say(
+        "unknown setting; the settings are {names}, and the options of evenlift place, such as teams",
+        {names_of_keys()}));
   }
 
   void take_title(std::string_view value) {

@@ -104,8 +104,7 @@ std::optional<std::vector<Bearing>> Lift::bearings() const {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double load = weight * all[i].part.constant, by = changed.by[i];
     if (by == std::numeric_limits<double>::max()) return std::nullopt;
-    all[i].least_room =
-        (1 - of_.shown.carrying.weight_doubt) * (load - by / changed.effect.kept);
+    all[i].least_room = (1 - of_.shown.carrying.weight_doubt) * (load - by / changed.effect.kept);
     if (limits[i]) all[i].greatest_room = *limits[i] - load - by;
   }
   return all;

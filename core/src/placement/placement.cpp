@@ -228,9 +228,6 @@ std::optional<InputError> check_given(const Settings& settings, const Shown& sho
     return setting_error(Setting::supports,
                          "the method given needs the places of its robots, such as "
                          "0,0 160,0 80,90");
-  if (is_weighed(settings) && settings.weight != Settings{}.weight)
-    return setting_error(Setting::weight,
-                         "the readings give the weight: leave out the weight, or the readings");
   const std::size_t capacities = shown.support_capacities.size();
   if (capacities == 0 || capacities == settings.supports.size()) return std::nullopt;
   return setting_error(Setting::support_capacities,
@@ -267,9 +264,9 @@ std::vector<LiftingPoint> contact_points(const Placement& placement) {
 const Shown ShownPlacement::usual;
 
 ShownPlacement::ShownPlacement(const Placement& of, const Shown& how)
-    : weighed_(of.weighing ? std::make_shared<const Shown>(
-                                 as_weighed(*of.weighing, of.settings, how))
-                           : nullptr),
+    : weighed_(of.weighing
+                   ? std::make_shared<const Shown>(as_weighed(*of.weighing, of.settings, how))
+                   : nullptr),
       placement(of),
       shown(weighed_ ? *weighed_ : how) {}
 
@@ -313,6 +310,9 @@ Result<Mass> mass_of(const PolygonWithHoles& object, const std::optional<Vec2>& 
   Mass mass{settings, std::nullopt, {}};
   std::optional<Vec2> own = own_centre;
   if (is_weighed(settings)) {
+    if (settings.weight != Settings{}.weight)
+      return setting_error(Setting::weight,
+                           "the readings give the weight: leave out the weight, or the readings");
     if (own)
       return setting_error(Setting::com,
                            "the readings give the centre of mass: leave it out, or the readings");
@@ -417,8 +417,7 @@ Result<Document> with_even_supports(const Document& document) {
         "carry the same load");
   const std::vector<LiftingPoint> touched = contact_points(placement->stands.get(), *even);
   // Readings are those at the former places.
-  Document moved =
-      placement->weighing ? taken_over(document, *placement->weighing) : document;
+  Document moved = placement->weighing ? taken_over(document, *placement->weighing) : document;
   for (std::size_t i = 0; i < robots.size(); ++i)
     if ((*even)[i].position != robots[i].position) moved.settings.supports[i] = touched[i].position;
   return moved;

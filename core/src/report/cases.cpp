@@ -9,20 +9,20 @@
 namespace evenlift {
 namespace {
 
-using Kind = LoadCase::Kind;
+using Loading = LoadCase::Kind;
 
 // The conditions of `shown` that are of this kind.
-Shown only(Kind kind, const Shown& shown) {
+Shown only(Loading kind, const Shown& shown) {
   Shown one = shown;
-  if (kind == Kind::all) return one;
-  if (kind != Kind::com) one.com_radius = 0;
-  if (kind != Kind::slope) one.carrying.slope = 0;
-  if (kind != Kind::acceleration) one.carrying.acceleration = 0;
-  if (kind != Kind::uneven) one.carrying.uneven = 0;
+  if (kind == Loading::all) return one;
+  if (kind != Loading::com) one.com_radius = 0;
+  if (kind != Loading::slope) one.carrying.slope = 0;
+  if (kind != Loading::acceleration) one.carrying.acceleration = 0;
+  if (kind != Loading::uneven) one.carrying.uneven = 0;
   return one;
 }
 
-bool is_given(Kind kind, const Shown& shown) {
+bool is_given(Loading kind, const Shown& shown) {
   const Disturbance one = disturbance_of(only(kind, shown));
   return one.any();
 }
@@ -41,7 +41,7 @@ void look_at(LoadCase& found, const Report& report) {
   if (const auto most = report.most_used()) found.use = report.use[*most];
 }
 
-LoadCase case_of(Kind kind, const ShownPlacement& of) {
+LoadCase case_of(Loading kind, const ShownPlacement& of) {
   LoadCase found{.kind = kind};
   Placement placement = of.placement;
   placement.weighing.reset();  // what follows from it is in `shown`
@@ -54,7 +54,7 @@ LoadCase case_of(Kind kind, const ShownPlacement& of) {
 
 LoadCase after_failure(std::size_t robot, const std::optional<RestOfRobots>& rest,
                        const std::vector<std::optional<double>>& limits, bool disturbed) {
-  LoadCase found{.kind = Kind::failure, .failed = robot};
+  LoadCase found{.kind = Loading::failure, .failed = robot};
   found.stays = rest && rest->steady && rest->stays;
   if (!found.stays) return found;
   const std::vector<double>& loads = rest->ends;
@@ -82,10 +82,10 @@ std::string_view name(LoadCase::Kind kind) {
 std::vector<LoadCase> load_cases(const ShownPlacement& of) {
   std::vector<LoadCase> cases;
   if (of.placement.teams.empty()) return cases;
-  cases.push_back(case_of(Kind::level, of));
-  for (const Kind kind : {Kind::com, Kind::slope, Kind::acceleration, Kind::uneven})
+  cases.push_back(case_of(Loading::level, of));
+  for (const Loading kind : {Loading::com, Loading::slope, Loading::acceleration, Loading::uneven})
     if (is_given(kind, of.shown)) cases.push_back(case_of(kind, of));
-  if (cases.size() > 2) cases.push_back(case_of(Kind::all, of));
+  if (cases.size() > 2) cases.push_back(case_of(Loading::all, of));
   const Disturbance disturbance = disturbance_of(of.shown);
   const auto failures = single_failures(of.placement, disturbance);
   const auto limits = limits_of(of);

@@ -39,11 +39,10 @@ std::string placement_answer(const Request& request, const Placement& placement,
   const bool failures = request.failures || need_failures(request.conditions);
   const Reported of({placement, request.document.shown},
                     {.models = true, .failures = failures, .plans = true});
-  return placement_json(of, request.candidates, request.failures,
-                        check_conditions(of, request.conditions),
-                        {std::move(moves),
-                         request.cases ? std::optional(load_cases(of)) : std::nullopt,
-                         request.notices});
+  return placement_json(
+      of, request.candidates, request.failures, check_conditions(of, request.conditions),
+      {std::move(moves), request.cases ? std::optional(load_cases(of)) : std::nullopt,
+       request.notices});
 }
 
 std::string svg_answer(const Request& request, const Placement& placement) {

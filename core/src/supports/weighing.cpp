@@ -147,11 +147,7 @@ void compare_with_springs(Weighing& weighing, const Points& supports,
 Result<std::optional<Weighing::Height>> height_of(const Weighing& first, const Points& supports,
                                                   const Settings& settings, double near) {
   const Weighed& weighed = settings.weighed;
-  if (weighed.tilted_readings.empty() && weighed.tilted == 0 && !weighed.heading)
-    return std::optional<Weighing::Height>();
-  if (weighed.tilted_readings.empty())
-    return error_in(Setting::readings_tilted,
-                    "a second weighing on a slope needs what the supports read there");
+  if (weighed.tilted_readings.empty()) return std::optional<Weighing::Height>();
   if (!(weighed.tilted > 0))
     return error_in(Setting::tilted, "the second weighing needs its slope, such as 8% or 5deg");
   if (!weighed.heading)
@@ -269,6 +265,24 @@ Document taken_over(Document document, const Weighing& weighing) {
   document.centre_of_mass = own.centre;
   document.settings.weighed = {};
   return document;
+}
+
+std::optional<Document> settled_after_edit(const Document& edited, const Document& before,
+                                           const Weighing& weighing) {
+  const Settings &now = edited.settings, &then = before.settings;
+  if (now.weighed.readings.empty() || !(now.weighed == then.weighed)) return std::nullopt;
+  const bool weight_is_given = now.weight != Settings{}.weight;
+  const bool apply = now.method == Method::given && now.supports.size() == then.supports.size() &&
+                     now.cargo == then.cargo && !edited.centre_of_mass && !weight_is_given;
+  if (apply) return std::nullopt;
+  const Document told = taken_over(before, weighing);
+  Document settled = edited;
+  settled.settings.weighed = {};
+  if (!weight_is_given) settled.settings.weight = told.settings.weight;
+  if (!edited.centre_of_mass) settled.centre_of_mass = told.centre_of_mass;
+  settled.shown.com_radius = told.shown.com_radius;
+  settled.shown.carrying.com_height = told.shown.carrying.com_height;
+  return settled;
 }
 
 }  // namespace evenlift

@@ -465,8 +465,6 @@ class _Robustness(TypedDict):
     """The number of failures, of whichever robots, after which C is still inside the others' convex hull by more than τL; −1 if C is not that far inside even with all robots, as with one team."""
     failures_clear: int
     """The number of failures after which C is still at least `clear` inside."""
-    safety: Optional[float]
-    """The tipping distance less `accuracy`, divided by how far the given conditions move the weight; `null` if they do not."""
     load_per_length: Optional[list[float]]
     """For each robot: the greatest change in its load by springs per unit of length that C moves; `null` if `models` is."""
 

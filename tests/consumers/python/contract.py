@@ -97,6 +97,9 @@ def check_placements(samples):
         (l_shape, {"robot": "r=100"}),  # no robot finds a place
         # l_shape on robots that already stand, and falling from others:
         (l_shape, {"supports": [(0, 0), (4, 0), (0, 3), (1, 1)], "support_capacities": [30, None, 40, 50], "snap": 0.1, "require": "held"}),
+        (l_shape, {"supports": [(0, 0), (4, 0), (0, 3), (1, 1)], "readings": [20, 30, 25, 25], "reading_error": "1%",
+                   "level_error": 0.01, "readings_tilted": [21, 29, 26, 24], "tilted": "5deg", "heading": [1, 0], "dynamic": 1.1,
+                   "weight_doubt": 0.05, "cases": True}),
         (l_shape, {"holes": [[(0.5, 0.5), (1, 0.5), (1, 1)]], "cargo": [((3, 0.5), 20, "motor"), {"at": (0.2, 2), "weight": 5}], "teams": 2}),
         (
             texts["hammer"],

@@ -9,6 +9,10 @@
 
 namespace evenlift {
 
+// A length as given, unless it was computed, as from readings, and has many digits: then it is rounded
+// up. O(1).
+std::string given_length(double length, const Units& units);
+
 // Return a slope as "8 %", and an angle at which something tips, rounded down, as "4.6°". O(1).
 std::string slope_in_words(double ratio, Toward toward = Toward::nearest);
 std::string degrees_in_words(double degrees);

@@ -288,14 +288,13 @@ std::string uses_json(const Reported& of) {
 std::string cases_json(const std::vector<LoadCase>& cases) {
   std::vector<std::string> items;
   for (const LoadCase& each : cases)
-    items.push_back(json::object(
-        {{"name", json::text(name(each.kind))},
-         {"failed", each.failed ? std::to_string(*each.failed) : "null"},
-         {"greatest", json::number_or_null(each.greatest)},
-         {"robot", each.robot ? std::to_string(*each.robot) : "null"},
-         {"least", json::number_or_null(each.least)},
-         {"use", json::number_or_null(each.use)},
-         {"stays", json::boolean(each.stays)}}));
+    items.push_back(json::object({{"name", json::text(name(each.kind))},
+                                  {"failed", each.failed ? std::to_string(*each.failed) : "null"},
+                                  {"greatest", json::number_or_null(each.greatest)},
+                                  {"robot", each.robot ? std::to_string(*each.robot) : "null"},
+                                  {"least", json::number_or_null(each.least)},
+                                  {"use", json::number_or_null(each.use)},
+                                  {"stays", json::boolean(each.stays)}}));
   return json::long_array(items, 1);
 }
 

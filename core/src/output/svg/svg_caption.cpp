@@ -32,10 +32,10 @@ std::string settings_line(const ShownPlacement& of) {
   if (shown.capacity)
     add("a robot can carry {weight}", {given_weight(*shown.capacity, shown.units)});
   if (shown.com_radius > 0)
-    add("C uncertainty {length}", {with_length_unit(plain(shown.com_radius), shown.units)});
+    add("C uncertainty {length}", {given_length(shown.com_radius, shown.units)});
   const Carrying& carrying = shown.carrying;
   if (carrying.has_height())
-    add("C at a height of {length}", {with_length_unit(plain(carrying.com_height), shown.units)});
+    add("C at a height of {length}", {given_length(carrying.com_height, shown.units)});
   if (carrying.slope > 0) add("slopes up to {slope}", {slope_in_words(carrying.slope)});
   add(placement.closure.form_closure ? "form closure" : "no form closure");
   if (const std::size_t holes = placement.object.holes().size())

@@ -14,14 +14,6 @@ std::string acceleration_in_words(double acceleration, Toward toward = Toward::n
   return significant(acceleration, 3, toward) + "\u00A0g";
 }
 
-// As given, unless it was computed, as from readings: then it has many digits.
-std::string given_length(double length, const Units& units) {
-  constexpr std::size_t most_given = 8;
-  const std::string text = plain(length);
-  if (text.size() > most_given) return length_in_words(length, units, Toward::up);
-  return with_length_unit(text, units);
-}
-
 // A condition in three forms: "on slopes up to 8 %", "the ground slopes by up to 8 %" and "on a slope
 // of 8 %".
 struct Circumstance {
@@ -62,6 +54,13 @@ bool is_within(const Points& region, const Vec2& at, double diameter) {
 }
 
 }  // namespace
+
+std::string given_length(double length, const Units& units) {
+  constexpr std::size_t most_given = 8;
+  const std::string text = plain(length);
+  if (text.size() > most_given) return length_in_words(length, units, Toward::up);
+  return with_length_unit(text, units);
+}
 
 std::string slope_in_words(double ratio, Toward toward) {
   return significant(100 * ratio, 3, toward) + "\u00A0%";

@@ -74,8 +74,7 @@ Known greatest_use(const Reported& of) {
 // How many times as far C may move before the object tips as the given conditions move it. Robots
 // that are off their places move the lifting base.
 Known safety(const Reported& of) {
-  const double reach = of.report.effect.reach,
-               off = of.placement.settings.accuracy.value_or(0);
+  const double reach = of.report.effect.reach, off = of.placement.settings.accuracy.value_or(0);
   if (!stands(of) || !(reach > 0)) return std::nullopt;
   return std::max(0.0, of.report.robustness.tipping_distance - off) / reach;
 }

@@ -24,18 +24,18 @@ std::string height_in_words(const Reported& of, const Weighing::Height& found) {
       most <= 0 ? say("The second weighing puts C below the lifting points.")
       : found.height - found.error < 0
           ? say("C is at most {height} above the lifting points.", {length_up(most, units)})
-      : found.error == 0
-          ? say("C is {height} above the lifting points.",
-                {length_in_words(found.height, units, Toward::nearest)})
-          : say("C is {height} above the lifting points, known within {error}.",
-                {length_in_words(found.height, units, Toward::nearest),
-                 length_up(found.error, units)});
+      : found.error == 0 ? say("C is {height} above the lifting points.",
+                               {length_in_words(found.height, units, Toward::nearest)})
+                         : say("C is {height} above the lifting points, known within {error}.",
+                               {length_in_words(found.height, units, Toward::nearest),
+                                length_up(found.error, units)});
   constexpr double enough_deg = 5;
   if (slope_degrees(of.placement.settings.weighed.tilted) < enough_deg &&
       found.error > 0.1 * std::fabs(found.height))
     text += " " + say("Tilt by 5° or more to know it better.");
   if (!found.fits)
-    text += " " + say("The readings on the slope add up to another weight, so one of them is wrong.");
+    text +=
+        " " + say("The readings on the slope add up to another weight, so one of them is wrong.");
   return text;
 }
 
@@ -53,9 +53,10 @@ std::string misfit_of_readings(const Reported& of) {
           "uneven or the object bends: then W and C are right all the same.") +
       " ";
   if (fit.suspect) {
-    text += say("Or a reading is wrong: if it is that of support {robot}, it reads {amount}, and W "
-                "and C are wrong with it.",
-                {*fit.suspect + 1, off(*fit.suspect)});
+    text +=
+        say("Or a reading is wrong: if it is that of support {robot}, it reads {amount}, and W "
+            "and C are wrong with it.",
+            {*fit.suspect + 1, off(*fit.suspect)});
   } else {
     double most = 0;
     for (const double by : fit.too_little) most = std::max(most, std::fabs(by));
@@ -81,12 +82,10 @@ std::string weighed_in_words(const Reported& of) {
   const auto& weighing = of.placement.weighing;
   if (!weighing) return {};
   const Units& units = of.shown.units;
-  const std::string weight =
-                        load_in_words(weighing->weight, units, Toward::nearest),
+  const std::string weight = load_in_words(weighing->weight, units, Toward::nearest),
                     at = point_in_words(weighing->centre,
                                         coordinate_decimals(of.placement.vertices()));
-  if (!(of.shown.com_radius > 0))
-    return say("Weighed: {weight}, C at {place}.", {weight, at});
+  if (!(of.shown.com_radius > 0)) return say("Weighed: {weight}, C at {place}.", {weight, at});
   return say("Weighed: {weight}, C at {place}, known within {radius}.",
              {weight, at, length_up(of.shown.com_radius, units)});
 }
@@ -126,8 +125,11 @@ std::string use_in_words(const Reported& of) {
 }
 
 CaseInWords headings_of_cases(const Reported& of) {
-  return {say("case"),        say("greatest load"),
-          say("of robot"),    say("least load"),
+  const std::string_view unit = name(of.shown.units.weight);
+  return {say("case"),
+          say("greatest load, {unit}", {unit}),
+          say("of robot"),
+          say("least load, {unit}", {unit}),
           of.report.has_capacities ? say("use") : std::string(),
           say("stays")};
 }
@@ -142,7 +144,7 @@ std::string name_of_case(const LoadCase& each, const Reported& of) {
     case LoadCase::Kind::level:
       return say("as given, level and still");
     case LoadCase::Kind::com:
-      return say("C off by up to {amount}", {length_up(of.shown.com_radius, units)});
+      return say("C off by up to {amount}", {given_length(of.shown.com_radius, units)});
     case LoadCase::Kind::slope:
       return say("on slopes up to {amount}", {slope_in_words(carrying.slope)});
     case LoadCase::Kind::acceleration:
