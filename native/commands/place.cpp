@@ -156,13 +156,15 @@ std::string for_people(const Reported& of, bool with_candidates,
 }
 
 // SVG that contains the share link, unless the polygon is too large for one.
-std::string picture(const Reported& of, const Document& document, bool with_candidates) {
+std::string picture(const Reported& of, const Document& document, bool with_candidates,
+                    const Beside& beside) {
   Shown shown = of.shown;
   shown.overlays.candidates |= with_candidates;
   Report report = of.report;
   complete(report, of, {});  // loads as planned
   const Result<std::string> link = encode_link(document);
-  return placement_svg({{of.placement, shown}, report}, link ? *link : std::string());
+  return placement_svg({{of.placement, shown}, report}, link ? *link : std::string(),
+                       beside.cases ? cases_json(*beside.cases) : std::string());
 }
 
 // All outputs must go to different files.
@@ -216,7 +218,7 @@ Outputs make_outputs(const Input& input, const PlaceOptions& options,
   const std::vector<Requirement> requirements = check_conditions({shown, report}, conditions);
   if (options.cases) beside.cases = load_cases(shown);
   Outputs outputs;
-  if (options.svg) outputs.svg = picture({shown, report}, input.document, options.candidates);
+  if (options.svg) outputs.svg = picture({shown, report}, input.document, options.candidates, beside);
   if (poses) outputs.poses = poses_text(shown, poses->format, poses->options);
   if (!told) report.failures.clear();
   outputs.printed =

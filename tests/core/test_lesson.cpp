@@ -142,7 +142,7 @@ TEST_CASE("what is wrong in a lesson is said with its line", "[lesson]") {
   refused(
       "title: T\npolygn: square\n", 2,
       "unknown setting; the settings are title, polygon, link, generate, predict, loads, failed, "
-      "require, move, place, find, and the options of evenlift place, such as teams");
+      "require, move, place, find, teams, metric, min-ratio, com, ");
   refused("title: T\n: 3\n", 2, "unknown setting");
   refused("title: T\nmin_ratio: 0.5\n", 2, "unknown setting");
   refused("metric: area\nmethod: circle\n", 2, "twice");

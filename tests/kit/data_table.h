@@ -60,7 +60,7 @@ inline bool is_one_sentence(const std::string& message) {
   for (const char c : message) {
     if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') return false;
   }
-  return message.size() > 8 && message.size() < 400 && message.back() != '.';
+  return message.size() > 8 && message.size() < 500 && message.back() != '.';
 }
 
 }  // namespace evenlift::testing

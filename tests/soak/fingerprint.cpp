@@ -91,6 +91,12 @@ void add_supports(Rng& rng, Document& document) {
     const double part = rng.below(4) == 0 ? 0 : rng.uniform();
     settings.supports.push_back(vertices[at] + part * (vertices[other] - vertices[at]));
   }
+  if (rng.below(2) == 0) return;
+  for (std::size_t i = 0; i < settings.supports.size(); ++i)
+    settings.weighed.readings.push_back(10 + 20 * rng.uniform());
+  settings.weighed.error.percent = rng.uniform();
+  settings.weight = Settings{}.weight;
+  document.centre_of_mass.reset();
 }
 
 Settings settings_from(Rng& rng) {

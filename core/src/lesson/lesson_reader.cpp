@@ -108,9 +108,7 @@ class Reader {
     for (const Key& own : keys)
       if (own.name == key) return (this->*own.take)(value);
     if (setting) return take_setting(value, *setting);
-    refuse(say(
-        "unknown setting; the settings are {names}, and the options of evenlift place, such as teams",
-        {names_of_keys()}));
+    refuse(say("unknown setting; the settings are {names}", {names_of_keys()}));
   }
 
   void take_title(std::string_view value) {
@@ -236,9 +234,11 @@ class Reader {
   }
 
   static std::string names_of_keys() {
-    std::string text;
-    for (const Key& own : keys) text += (text.empty() ? "" : ", ") + std::string(own.name);
-    return text;
+    std::vector<std::string> names;
+    for (const Key& own : keys) names.emplace_back(own.name);
+    for (const SettingRow& row : all_settings())
+      if (is_key(row)) names.push_back(hyphened(row.name));
+    return listed(names);
   }
 
   // Where the next words go.

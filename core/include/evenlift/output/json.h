@@ -29,6 +29,9 @@ std::string placement_json(const Reported& of, bool with_candidates, bool with_f
                            const std::vector<Requirement>& requirements = {},
                            const Beside& beside = {});
 
+// The member `cases` of placement_json(). O(cases).
+std::string cases_json(const std::vector<LoadCase>& cases);
+
 // The same with a report of its own, which costs as much as report_of().
 std::string placement_json(const ShownPlacement& of, bool with_candidates, Asked asked = {});
 

@@ -285,19 +285,6 @@ std::string uses_json(const Reported& of) {
   return json::array(items);
 }
 
-std::string cases_json(const std::vector<LoadCase>& cases) {
-  std::vector<std::string> items;
-  for (const LoadCase& each : cases)
-    items.push_back(json::object({{"name", json::text(name(each.kind))},
-                                  {"failed", each.failed ? std::to_string(*each.failed) : "null"},
-                                  {"greatest", json::number_or_null(each.greatest)},
-                                  {"robot", each.robot ? std::to_string(*each.robot) : "null"},
-                                  {"least", json::number_or_null(each.least)},
-                                  {"use", json::number_or_null(each.use)},
-                                  {"stays", json::boolean(each.stays)}}));
-  return json::long_array(items, 1);
-}
-
 std::string effective_json(const Report::Effective& effective) {
   return json::object({{"clear", json::number(effective.clear)},
                        {"apart", json::number(effective.apart)},
@@ -329,6 +316,19 @@ void add_asked(std::vector<json::Member>& members, const Settings& settings,
 }  // namespace
 
 std::string_view version() { return EVENLIFT_VERSION; }
+
+std::string cases_json(const std::vector<LoadCase>& cases) {
+  std::vector<std::string> items;
+  for (const LoadCase& each : cases)
+    items.push_back(json::object({{"name", json::text(name(each.kind))},
+                                  {"failed", each.failed ? std::to_string(*each.failed) : "null"},
+                                  {"greatest", json::number_or_null(each.greatest)},
+                                  {"robot", each.robot ? std::to_string(*each.robot) : "null"},
+                                  {"least", json::number_or_null(each.least)},
+                                  {"use", json::number_or_null(each.use)},
+                                  {"stays", json::boolean(each.stays)}}));
+  return json::long_array(items, 1);
+}
 
 std::string candidates_json(const std::vector<Candidate>& candidates,
                             const std::vector<std::string>& notices) {

@@ -55,12 +55,12 @@ class Drawing {
     stands_ = find_stands(placement, sized_, loads, paper_, 0.8 * disc_);
   }
 
-  std::string finished(std::string_view link) {
+  std::string finished(std::string_view link, std::string_view cases) {
     const std::string drawing = drawn();
-    return document(drawing, make_caption(of_, seen_, paper_.height, paper_.width), link);
+    return document(drawing, make_caption(of_, seen_, paper_.height, paper_.width), link, cases);
   }
 
-  std::string without_caption() { return document(drawn(), {}, {}); }
+  std::string without_caption() { return document(drawn(), {}, {}, {}); }
 
  private:
   // Later steps avoid and explain the shapes drawn before.
@@ -75,7 +75,8 @@ class Drawing {
   }
 
   std::string document(const std::string& drawing, const Caption& caption,
-                       std::string_view link) const {
+                       std::string_view link,
+                       std::string_view cases) const {
     const double width = paper_.width, height = paper_.height + caption.height;
     const auto rect = [](double inset, double w, double h, const std::string& look) {
       return element("rect", attribute("x", inset) + attribute("y", inset) +
@@ -89,7 +90,8 @@ class Drawing {
            " font-family=\"Inter, 'Helvetica Neue', Helvetica, Arial, sans-serif\">\n" +
            "<title id=\"evenlift-title\">" + escaped(title()) + "</title>\n" +
            "<desc id=\"evenlift-description\">" + escaped(verdict(of_)) + "</desc>\n" +
-           (link.empty() ? "" : "<metadata>" + escaped(link) + "</metadata>\n") + fills() +
+           (link.empty() ? "" : "<metadata>" + escaped(link) + "</metadata>\n") +
+           (cases.empty() ? "" : "<metadata>" + escaped(cases) + "</metadata>\n") + fills() +
            rect(0, width, height, attribute("fill", panel_colour)) +
            rect(0, width, paper_.height, attribute("fill", ground_colour)) + drawing +
            caption.markup +
@@ -425,8 +427,8 @@ class Drawing {
 }  // namespace
 }  // namespace svg
 
-std::string placement_svg(const Reported& of, std::string_view link) {
-  return svg::Drawing(of).finished(link);
+std::string placement_svg(const Reported& of, std::string_view link, std::string_view cases) {
+  return svg::Drawing(of).finished(link, cases);
 }
 
 std::string placement_sketch(const Reported& of) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "evenlift/output/carrying_words.h"
+#include "evenlift/output/weighing_words.h"
 #include "evenlift/wording.h"
 
 namespace evenlift::svg {
@@ -109,6 +110,10 @@ Caption make_caption(const Reported& of, const Seen& seen, double top, double wi
   };
   paragraph(loads_in_words(of), 17, dark + attribute("font-weight", 600));
   paragraph(detail_in_words(of), 15, dark);
+  if (const std::string weighed = weighed_in_words(of); !weighed.empty())
+    paragraph(weighed, 15, dark);
+  const Carrying& carrying = of.shown.carrying;
+  if (carrying.dynamic > 1 || carrying.weight_doubt > 0) paragraph(use_in_words(of), 15, dark);
   if (seen.tilt) paragraph(tilt_in_words(of), 15, dark);
   if (seen.load) paragraph(extra_in_words(of), 15, dark);
   paragraph(settings_line(of), 13, grey);
