@@ -73,6 +73,17 @@ def check_answers(consumer):
         )
 
 
+def check_weighing(consumer):
+    """Readings, factors and cases are those of the program."""
+    slab = root / "assets/polygons/stone-slab.txt"
+    asked = {"supports": "330,20 1000,300 520,790 0,420", "readings": [30, 25, 20, 25], "reading_error": "1%", "dynamic": 1.2,
+             "weight_doubt": 0.05, "capacity": 60}
+    options = ["--supports", asked["supports"], "--readings", "30 25 20 25", "--reading-error", "1%", "--dynamic", "1.2",
+               "--weight-doubt", "5%", "--capacity", "60", "--cases"]
+    request = json.dumps({"text": slab.read_text(), "settings": asked, "cases": True})
+    expect(answers(consumer, request) == run(program, "place", slab, "--json", *options), "the weighing is not the program's")
+
+
 def check_errors(consumer):
     bad = {
         '{"polygon": [[0, 0], [4, 4], [4, 0], [0, 4]]}': ("edges_cross", "Edges 1 and 3 cross, touch or overlap", {"edges": [0, 2]}),
@@ -117,6 +128,7 @@ def check(folder):
     expect(answers(consumer) == "well\n", "the consumer is not well")
     expect(json.loads(answers(consumer, '{"command": "version"}')) == {"version": version()}, "another version")
     check_answers(consumer)
+    check_weighing(consumer)
     check_errors(consumer)
     _, flags = c_compiler()
     if not any("sanitize" in flag for flag in flags):

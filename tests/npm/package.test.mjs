@@ -236,6 +236,19 @@ test("supports may be objects with their capacity", () => {
   ]);
 });
 
+test("readings weigh the object, and cases list its loads", () => {
+  const square = [[0, 0], [1, 0], [1, 1], [0, 1]]; // prettier-ignore
+  const asked = { supports: square, readings: [10, 20, 30, 40], reading_error: "1%", capacity: 50, cases: true };
+  const { weighing, total_weight, use, cases } = place(square, asked);
+  assert.equal(total_weight, 100);
+  assert.deepEqual(weighing.centre_of_mass, [0.5, 0.7]);
+  assert.ok(Math.abs(weighing.radius - 0.0051505) < 5e-8);
+  assert.equal(use.length, 4);
+  assert.deepEqual([cases[0].name, cases.at(-1).name, cases.at(-1).failed], ["level", "failure", 3]);
+  assert.throws(() => place(square, { ...asked, readings: [1, 2] }), { path: "readings" });
+  assert.throws(() => place(square, { ...asked, weight: 5 }), /readings give the weight/);
+});
+
 test("a wrong name is told, with the one that was meant", () => {
   for (const [wrong, right] of Object.entries({
     team: "teams",

@@ -76,6 +76,8 @@ def check_arrays():
     centre = numpy.array(placement["centre_of_mass"])
     assert numpy.allclose((arrays["load"][:, None] * (arrays["at"] - centre)).sum(axis=0), 0)
     assert arrays["team"].tolist() == [0, 0, 1, 1, 2, 2]
+    weighed = evenlift.place("0,0 1,0 1,1 0,1".replace(" ", "\n"), supports="0,0 1,0 1,1 0,1", readings=[10, 20, 30, 40])
+    assert weighed["weighing"]["centre_of_mass"] == [0.5, 0.7] and weighed["total_weight"] == 100
     chords = evenlift.candidates(l_shape)
     assert chords.arrays()["ends"].shape == (len(chords), 2, 2)
     assert (chords.arrays()["ratio"] >= 0.8 - 1e-9).all()
