@@ -555,7 +555,7 @@ TEST_CASE("whatever doubles are given, they are refused or written with finite n
           "[settings][fuzz][slow]") {
   Rng rng(21);
   int placed = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 3500; ++i) {
     std::vector<std::uint8_t> bytes(160);
     for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(rng.below(256));
     testing::AnyNumbers any(bytes.data(), bytes.size());

@@ -65,7 +65,7 @@ inline Document document_with(AnyNumbers& any) {
   }
   if (any.below(4) == 0) settings.snap = any.number(1e-3);
   if (any.below(3) == 0) shown.support_capacities.assign(supports, any.number(30));
-  if (any.below(3) == 0) {
+  if (any.below(8) == 7) {
     Weighed& weighed = settings.weighed;
     for (std::uint32_t i = 0; i < supports; ++i) weighed.readings.push_back(any.number(25));
     if (any.below(2) == 0) weighed.error.percent = any.number(1);
@@ -76,14 +76,14 @@ inline Document document_with(AnyNumbers& any) {
       weighed.heading = Vec2(any.number(1), any.number(0));
     }
   }
-  shown.carrying.dynamic = any.below(4) == 0 ? any.number(1.2) : 1;
-  shown.carrying.weight_doubt = any.number(0);
+  if (any.below(8) == 7) shown.carrying.dynamic = any.number(1.2);
+  if (any.below(8) == 7) shown.carrying.weight_doubt = any.number(0.1);
   settings.teams = 1 + any.below(4);
   settings.robots = 2 + any.below(5);
   settings.positions = any.below(2) == 0 ? Positions::best : Positions::range;
   if (any.below(3) == 0) settings.goal = any.below(2) == 0 ? Goal::cover : Goal::hold;
   settings.min_ratio = any.number(0.8);
-  settings.weight = any.number(100);
+  if (settings.weighed.readings.empty()) settings.weight = any.number(100);
   settings.min_margin = any.number(0.05);
   shown.com_radius = any.number(0);
   if (any.below(2) == 0) settings.apart = any.number(0.1);
