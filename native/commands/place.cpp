@@ -218,7 +218,8 @@ Outputs make_outputs(const Input& input, const PlaceOptions& options,
   const std::vector<Requirement> requirements = check_conditions({shown, report}, conditions);
   if (options.cases) beside.cases = load_cases(shown);
   Outputs outputs;
-  if (options.svg) outputs.svg = picture({shown, report}, input.document, options.candidates, beside);
+  if (options.svg)
+    outputs.svg = picture({shown, report}, input.document, options.candidates, beside);
   if (poses) outputs.poses = poses_text(shown, poses->format, poses->options);
   if (!told) report.failures.clear();
   outputs.printed =

@@ -22,8 +22,6 @@ void PlaceOptions::declare(CommandLine& line) {
   input.settings.declare(line, OptionGroup::uncertainty);
   input.settings.declare(line, OptionGroup::units);
   robustness.declare(line);
-  line.flag(input.settings.weigh, "--weigh",
-            "the file of --supports has a column of readings: they give the weight and C");
   line.flag(even_out, "--even-out", "move given supports to the nearest places with equal loads");
   line.flag(cases, "--cases", "the loads in each case: each condition alone, all, each failure");
   line.value(require, "--require", "\"CONDITION, ...\"",

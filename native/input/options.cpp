@@ -47,14 +47,12 @@ Value value_or_refusal(Setting setting, const std::optional<Value>& value,
 
 // The readings of a file of supports.
 void take_readings(const SupportFile& read, const std::string& file, Document& document) {
+  if (read.wrong_reading) throw bad_input(file, *read.wrong_reading);
   if (read.readings.size() != read.places.size())
     throw Failure{bad_input_status, "--weigh",
                   read.readings.empty()
                       ? file + " has no column of readings, such as \"reading (kg)\""
                       : "a support in " + file + " has no reading"};
-  if (read.reading_unit == 0.0)
-    throw Failure{bad_input_status, "--weigh",
-                  "the unit of the readings is not known; it may be kg, t, N, kN or lb"};
   std::string text;
   for (const double reading : read.readings)
     text += (text.empty() ? "" : " ") +
@@ -166,6 +164,13 @@ void SettingOptions::apply(Document& document) const {
   const Method method = document.settings.method;
   if (const Typed& supports = typed(Setting::supports)) supports_option(*supports, document, weigh);
   if (typed(Setting::method)) document.settings.method = method;
+  for (const Setting needs :
+       {Setting::reading_error, Setting::level_error, Setting::readings_tilted})
+    if (typed(needs) && document.settings.weighed.readings.empty())
+      throw Failure{bad_input_status, as_typed(name(needs)), "applies to --readings"};
+  if (weigh && typed(Setting::readings))
+    throw Failure{bad_input_status, "--readings",
+                  "applies without --weigh, which takes the readings from the file of supports"};
   for (const Setting needs : {Setting::tilted, Setting::heading})
     if (typed(needs) && document.settings.weighed.tilted_readings.empty())
       throw Failure{bad_input_status, as_typed(name(needs)), "applies to --readings-tilted"};
@@ -188,6 +193,8 @@ std::optional<std::string> SettingOptions::supports_file() const {
 void InputOptions::declare(CommandLine& line, const std::string& help) {
   line.positional(file, "FILE", help);
   settings.declare(line, OptionGroup::placement);
+  line.flag(settings.weigh, "--weigh",
+            "the file of --supports has a column of readings: they give the weight and C");
   shapes.declare(line);
 }
 

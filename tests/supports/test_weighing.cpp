@@ -112,7 +112,8 @@ TEST_CASE("any loads in balance give W and C back, and errors move C by at most 
     double weight = 0;
     Vec2 moment;
     for (const Vec2& at : supports) {
-      readings.push_back(1 + 99 * rng.uniform());
+      const bool carries = readings.size() < 3 || rng.below(3) > 0;
+      readings.push_back(carries ? 1 + 99 * rng.uniform() : 0);
       weight += readings.back();
       moment += at * readings.back();
     }
@@ -145,6 +146,19 @@ TEST_CASE("any loads in balance give W and C back, and errors move C by at most 
       REQUIRE(length(shifted / sum) <= found.radius * (1 + 1e-9));
     }
   }
+}
+
+TEST_CASE("supports that read nothing do not change how well C is known", "[weighing]") {
+  const auto radius = [](const Points& supports, std::vector<double> readings) {
+    Document document = weighed_on(supports, std::move(readings));
+    document.settings.weighed.error = {1, 0};
+    return weighing_of(document).radius;
+  };
+  const Points supports{{0, 0.9}, {0.6, 0.8}, {0.1, 0.3}, {0.3, 0.9}, {0.5, 0.8}};
+  const double of_those_that_carry = radius({supports[0], supports[1], supports[4]}, {3, 2, 5});
+  CHECK(radius(supports, {3, 2, 0, 0, 5}) == Approx(of_those_that_carry).epsilon(1e-12));
+  CHECK(radius({supports[2], supports[4], supports[3], supports[0], supports[1]},
+               {0, 5, 0, 3, 2}) == Approx(of_those_that_carry).epsilon(1e-12));
 }
 
 TEST_CASE("one object is weighed alike wherever it lies", "[weighing][property]") {
@@ -406,6 +420,10 @@ TEST_CASE("the factor and the doubt about the weight count in everything that co
   CHECK(report.overloaded_as_planned.size() == 4);
   CHECK(report.capacities[0] == 30.0);
   CHECK(report.limits[0] == Approx(30 / 1.21));
+  // What can tip carries nothing that is known.
+  Shown tips = document.shown;
+  tips.com_radius = 0.6;
+  CHECK(report_of({placement, tips}).use == std::vector<std::optional<double>>(4));
   CHECK(
       use_in_words(Reported({placement, document.shown}, report)) ==
       "Robot 1 is used to 101\u00A0%, with a dynamic factor of 1.1 and a weight that may be off by "

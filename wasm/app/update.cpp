@@ -165,6 +165,10 @@ struct Applier {
     if (!placement || !placement->weighing || lags(state)) return;
     Document own = evenlift::taken_over(state.work.document(), *placement->weighing);
     edit(state, false, edit_of(row_of(Setting::readings))) = std::move(own);
+    show(state,
+         {Notice::Kind::info,
+          say("The weight and C are the object's now, without the readings. Undo brings them "
+              "back.")});
   }
   void operator()(const ResetRobots&) const { put_robots_back(state); }
   void operator()(TakeRobots& c) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "evenlift/link.h"
+#include "evenlift/output/carrying_words.h"
 #include "evenlift/output/json_text.h"
 #include "evenlift/output/svg.h"
 #include "evenlift/output/verdict.h"
@@ -40,7 +41,8 @@ std::string cases(const RequestMembers& members) {
   const Reported of(*placement, document->shown);
   const std::vector<LoadCase> all = load_cases(of);
   std::vector<std::string> rows, said{verdict(of)};
-  for (const std::string& sentence : {use_in_words(of), weighing_in_words(of)})
+  for (const std::string& sentence :
+       {given_in_part_in_words(of), tilt_in_words(of), use_in_words(of), weighing_in_words(of)})
     if (!sentence.empty()) said.push_back(sentence);
   for (const CaseInWords& words : cases_in_words(of, all)) rows.push_back(cells(words));
   Shown plain = document->shown;

@@ -54,7 +54,7 @@ namespace {
 const char* name_of(Dialog dialog) {
   constexpr const char* names[] = {"samples",    "open",    "save",     "table", "lessons",
                                    "experiment", "curves",  "keys",     "about", "glossary",
-                                   "welcome",    "optimum", "language", "cases"};
+                                   "welcome",    "optimum", "language", "cases", "weigh"};
   static_assert(std::size(names) == static_cast<std::size_t>(Dialog::end_of_dialogs));
   return names[static_cast<std::size_t>(dialog)];
 }

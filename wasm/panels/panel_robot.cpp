@@ -304,11 +304,12 @@ void draw_ratio(const Ui& ui, const RatioRow& row) {
   Carrying changed = shown(ui.state).carrying;
   double& value = changed.*row.member;
   const SettingRange& range = row_of(row.setting).range;
+  const std::string setting(name(row.setting));
   const int by = stepper(ui, row.id, row.text(value), labelled(ui, row.label, row.about),
                          {.can_lower = value > range.least,
                           .can_raise = value < range.most,
                           .label = row.spoken,
-                          .setting = row.id,
+                          .setting = setting.c_str(),
                           .exact = row.exact(value)});
   if (by == 0) return;
   const double steps = std::round(1 / row.step);

@@ -196,6 +196,11 @@ void draw_supports_stepper(const Ui& ui) {
   ImGui::SameLine(0, 8);
   if (flat_button(ui, "even out", "Even out", button)) ui.push(EvenOut{});
   if (ImGui::IsItemHovered()) tip(ui, "Move two or three robots so that all carry the same load");
+  if (!ui.state.view.task) {
+    if (flat_button(ui, "weigh", "Weigh it …", ImGui::GetContentRegionAvail().x))
+      ui.push(OpenDialog{Dialog::weigh});
+    if (ImGui::IsItemHovered()) tip(ui, "Type what the robots read: this tells the weight and C");
+  }
   draw_score(ui);
 }
 

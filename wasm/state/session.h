@@ -31,6 +31,7 @@ enum class Dialog : std::uint8_t {
   optimum,
   language,
   cases,
+  weigh,
   end_of_dialogs  // not a dialog; stays last and counts the dialogs, all of which must have names
 };
 

@@ -64,9 +64,13 @@ const lists = {
   },
 };
 
-export async function show(page) {
+// Opens the list of robots, for their readings.
+export const weigh = (page) => show(page, { list: lists.robots });
+
+export async function show(page, { list } = {}) {
   const open = document.getElementById(name);
-  if (open?.open) return open.close(); // the same key opens and closes the table
+  if (open?.open) open.close(); // the same key opens and closes the table
+  if (open?.open === false && !list) return;
   const table = new Table(page);
   const root = await openWindow({
     name,
@@ -82,7 +86,7 @@ export async function show(page) {
     ],
     closed: () => table.disconnect(),
   });
-  if (root) table.connect(root);
+  if (root) table.connect(root, list);
 }
 
 class Table {
@@ -124,7 +128,7 @@ class Table {
     this.pager = this.#pagerRow();
   }
 
-  connect(root) {
+  connect(root, list = lists.vertices) {
     const { signal } = this.#leave;
     const soon = () => this.#soon();
     document.addEventListener("evenlift-change", soon, { signal });
@@ -151,9 +155,11 @@ class Table {
     });
     this.#selected = this.#program.number("page_selected_vertex");
     if (this.#selected >= 0) this.#from = this.#pageOf(this.#selected);
-    this.#take(lists.vertices);
+    this.#take(list);
     // On a phone, a keyboard that opens by itself would hide half of the table.
-    if (matchMedia("(pointer: fine)").matches) this.#focus(Math.max(this.#selected, 0) - this.#from, 0);
+    if (!matchMedia("(pointer: fine)").matches) return;
+    if (list === lists.vertices) this.#focus(Math.max(this.#selected, 0) - this.#from, 0);
+    else this.#focus(0, list.typed.length - 1);
   }
 
   disconnect() {

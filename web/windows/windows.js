@@ -14,5 +14,5 @@ export { newVersion } from "./new_version.js";
 export { show as optimum } from "./optimum.js";
 export { show as open, take } from "./open.js";
 export { show as save } from "./save.js";
-export { show as table } from "./table.js";
+export { show as table, weigh } from "./table.js";
 export { firstVisit, welcome } from "./welcome.js";

@@ -181,6 +181,7 @@ struct SupportFile {
   Points contacts;
   std::vector<std::optional<double>> capacities;
   std::vector<double> readings;  // of each robot, if a table has a column of them (weighing.h)
+  std::optional<InputError> wrong_reading;  // why a cell of that column is none
   // The kilograms in the unit of the capacities and of the readings, if their headings state one.
   std::optional<double> capacity_unit, reading_unit;
   LengthUnit unit = LengthUnit::none;  // as a table or JSON states it; metres for YAML (ROS 2)

@@ -70,7 +70,7 @@ struct Report {
   std::vector<std::optional<double>> capacities, limits;
   // How much of each robot is used: its greatest planned load under the given conditions, times the
   // dynamic factor and 1 + the uncertainty of the weight, divided by its capacity. An entry is empty
-  // without a capacity, or if the object falls; the list is if no robot has a capacity.
+  // without a capacity, or if the object falls or can tip; the list is if no robot has a capacity.
   std::vector<std::optional<double>> use;
   // The greatest use, and whose it is; nothing without any use. O(robots).
   std::optional<std::size_t> most_used() const;

@@ -77,7 +77,8 @@ ReadingsFit fit_of(const Weighing& weighing, const Carrying& carrying);
 double radius_of(const Weighing& weighing, const Settings& settings, double height);
 
 // What the weighing tells about C in place of what is given, unless that is greater: the height h of C
-// up to `height + error`, and the C uncertainty radius_of(). O(size of shown).
+// up to `height + error`, the C uncertainty radius_of(), and as the uncertainty of the weight the part
+// of it that the readings may be off in all. O(size of shown).
 Shown as_weighed(const Weighing& weighing, const Settings& settings, Shown shown);
 
 // The document in which the weight, the centre of mass, its uncertainty and its height are what the

@@ -246,9 +246,9 @@ bool read_direction(std::string_view text, std::optional<Vec2>& direction) {
   }
   std::optional<Vec2> read;
   if (!setting_value::take(text, {}, read) || !read || *read == Vec2()) return false;
-  constexpr double most = max_coordinate;
-  if (!(max_norm(*read) <= most && max_norm(*read) >= 1 / most)) return false;
-  direction = *read;
+  const double size = max_norm(*read);
+  const bool is_usual = size <= max_coordinate && size >= 1 / max_coordinate;
+  direction = is_usual ? *read : *read / size;
   return true;
 }
 

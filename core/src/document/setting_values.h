@@ -161,8 +161,9 @@ inline std::string bound_text(double bound) {
 template <class Value>
 std::string kind_in_words(const SettingRange& range) {
   if constexpr (std::is_same_v<Value, double>) {
-    return say(range.least > 0 ? "a number greater than 0, from {least} to {most}"
-                               : "a number from {least} to {most}",
+    return say(range.least > 0 && range.least < 1
+                   ? "a number greater than 0, from {least} to {most}"
+                   : "a number from {least} to {most}",
                {shortest(range.least), bound_text(range.most)});
   } else if constexpr (std::is_same_v<Value, std::uint64_t>) {
     return say("a whole number from {least} to {most}", {"0", std::to_string(~std::uint64_t{0})});

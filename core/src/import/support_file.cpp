@@ -300,6 +300,9 @@ class Gathered {
   }
 
   void add_reading(double reading) { supports_.readings.push_back(reading); }
+  void refuse_readings(std::size_t offset, std::string message) {
+    if (!supports_.wrong_reading) supports_.wrong_reading = error(offset, std::move(message));
+  }
   void set_units(std::optional<double> of_capacities, std::optional<double> of_readings) {
     supports_.capacity_unit = of_capacities;
     supports_.reading_unit = of_readings;
@@ -419,7 +422,7 @@ Result<SupportFile> read_poses(std::string_view text) {
 // --- A table with a heading
 
 struct Columns {
-  std::optional<std::size_t> x, y, capacity, unit, reading;
+  std::optional<std::size_t> x, y, capacity, unit, reading, weight_unit;
 };
 
 std::string letters_of(std::string_view heading) {
@@ -434,6 +437,7 @@ std::string letters_of(std::string_view heading) {
 std::optional<double> weight_unit_of(std::string_view heading) {
   const std::size_t open = heading.find_first_of("([");
   std::string_view unit = open == std::string_view::npos ? heading : heading.substr(open + 1);
+  if (open == std::string_view::npos) unit = unit.substr(unit.rfind(' ') + 1);  // the last word
   unit = trimmed(unit.substr(0, unit.find_first_of(")]")));
   constexpr double newton = 1 / 9.80665;
   const std::pair<std::string_view, double> known[] = {
@@ -458,7 +462,10 @@ bool names_reading(std::string_view heading) {
       "reading", "readings", "reads", "scale",   "load",     "loads", "weight",  "kg",
       "lb",      "n",        "kn",    "anzeige", "ablesung", "last",  "gewicht", "messwert",
       "lecture", "charge",   "poids", "lectura", "carga",    "peso"};
-  const std::string letters = letters_of(heading);
+  const std::size_t space = heading.find(' ');
+  const bool has_unit = space != std::string_view::npos &&
+                        weight_unit_of(heading.substr(space + 1)).value_or(0) > 0;  // "reading kN"
+  const std::string letters = letters_of(has_unit ? heading.substr(0, space) : heading);
   return std::find(std::begin(readings), std::end(readings), letters) != std::end(readings);
 }
 
@@ -470,6 +477,7 @@ Columns columns_of(const Fields& heading) {
     if (names_capacity(heading[i])) columns.capacity = i;
     if (same_word(heading[i], "unit")) columns.unit = i;
     if (names_reading(heading[i])) columns.reading = i;
+    if (same_word(heading[i], "weight_unit")) columns.weight_unit = i;
   }
   // "Easting" and "Northing", "Position X" and the like, as for outlines.
   if (const auto named = named_columns(heading); named && !(columns.x && columns.y)) {
@@ -499,7 +507,10 @@ Result<SupportFile> read_table(std::string_view text) {
   if (of_capacities == 0.0)
     return gathered.error(0,
                           "the unit of the capacities is not known; it may be kg, t, N, kN or lb");
-  gathered.set_units(of_capacities, of_readings);
+  if (of_readings == 0.0)
+    gathered.refuse_readings(0,
+                             "the unit of the readings is not known; it may be kg, t, N, kN or lb");
+  auto unit_of_weights = of_capacities, unit_of_readings = of_readings;
   for (auto line = lines.next(); line; line = lines.next()) {
     const Fields cells = split_cells(line->text, separator);
     const auto offset = static_cast<std::size_t>(line->text.data() - text.data());
@@ -516,6 +527,14 @@ Result<SupportFile> read_table(std::string_view text) {
     const bool has_cell =
         columns.capacity && *columns.capacity < cells.size() && !cells[*columns.capacity].empty();
     if (has_cell && !capacity) return gathered.error(offset, "the capacity is not a number");
+    if (columns.weight_unit && *columns.weight_unit < cells.size()) {
+      // As in evenlift's own poses.
+      const auto own = weight_unit_of("(" + std::string(cells[*columns.weight_unit]) + ")");
+      if (own && *own > 0) {
+        if (!of_capacities) unit_of_weights = own;
+        if (!of_readings) unit_of_readings = own;
+      }
+    }
     if (columns.unit && *columns.unit < cells.size()) {
       // evenlift's own poses have this column; in other tables it may mean something else.
       const LengthUnit own = unit_named(cells[*columns.unit]).value_or(LengthUnit::none);
@@ -524,8 +543,13 @@ Result<SupportFile> read_table(std::string_view text) {
       if (own != LengthUnit::none) unit = own;
     }
     if (auto wrong = gathered.add(Vec2(*x, *y), capacity, offset)) return *wrong;
-    if (const auto reading = value(columns.reading)) gathered.add_reading(*reading);
+    if (const auto reading = value(columns.reading); reading && *reading >= 0)
+      gathered.add_reading(*reading);
+    else if (columns.reading)
+      gathered.refuse_readings(
+          offset, reading ? "the reading is negative" : "the line has no number for the reading");
   }
+  gathered.set_units(unit_of_weights, unit_of_readings);
   return gathered.finish(unit);
 }
 

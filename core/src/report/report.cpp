@@ -383,7 +383,7 @@ void add_capacities(Report& report, const ShownPlacement& of) {
   report.capacities = capacities_of(of);
   report.limits = limits_of(of);
   for (std::size_t i = 0; i < report.limits.size() && i < report.planned.size(); ++i)
-    report.use.push_back(of.placement.loads && report.limits[i]
+    report.use.push_back(of.placement.loads && !report.tips && report.limits[i]
                              ? std::optional(report.planned[i].greatest / *report.limits[i])
                              : std::nullopt);
 }

@@ -35,6 +35,7 @@ std::vector<double> errors_of(const std::vector<double>& readings, const Reading
 // The greatest length of a sum of all vectors, each with either sign: the farthest vertex of a
 // zonotope, whose vertices are found by turning one vector after another round. O(m log m).
 double longest_sum(Points vectors) {
+  std::erase(vectors, Vec2());  // has no direction
   for (Vec2& each : vectors)
     if (each.y < 0 || (each.y == 0 && each.x < 0)) each = -each;
   std::sort(vectors.begin(), vectors.end(),
@@ -77,7 +78,7 @@ std::optional<InputError> check_places(const Points& supports, double near) {
 
 // The supports must not be on one line.
 Result<Balance> balance_of(const Points& supports, const std::vector<double>& readings,
-                           const ReadingError& error, Setting setting, double near) {
+                           const ReadingError& error, Setting setting) {
   Balance found;
   found.weight = sum_of(readings);
   if (!(found.weight >= min_weight))
@@ -95,20 +96,24 @@ Result<Balance> balance_of(const Points& supports, const std::vector<double>& re
   for (std::size_t i = 0; i < supports.size(); ++i)
     moment += (supports[i] - origin) * (readings[i] / found.weight);
   found.centre = origin + moment;
-  const Points hull = convex_hull(supports, near);
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Vec2 &a = hull[i], &b = hull[(i + 1) % hull.size()];
-    if (orient(a, b, found.centre) / length(b - a) <= near)
-      return error_in(
-          setting,
-          "C is at the edge of the supports' hull, since only one or two of them carry: "
-          "the object may tip, and C is known only if three carry");
-  }
   Points arms;
   for (std::size_t i = 0; i < supports.size(); ++i)
     arms.push_back((supports[i] - found.centre) * errors[i]);
   found.radius = longest_sum(std::move(arms)) / (found.weight - found.weight_error);
   return found;
+}
+
+std::optional<InputError> check_inside(const Points& supports, const Vec2& centre, double near) {
+  const Points hull = convex_hull(supports, near);
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Vec2 &a = hull[i], &b = hull[(i + 1) % hull.size()];
+    if (orient(a, b, centre) / length(b - a) <= near)
+      return error_in(
+          Setting::readings,
+          "C is at the edge of the supports' hull, since those that carry are on one line: the object "
+          "may tip, and C is known only if three that are not on one line carry");
+  }
+  return std::nullopt;
 }
 
 // P, for those that carry, in a frame in which P_ij = [i = j] - (1 + q_i . q_j) / m.
@@ -145,7 +150,7 @@ void compare_with_springs(Weighing& weighing, const Points& supports,
 
 // The second weighing.
 Result<std::optional<Weighing::Height>> height_of(const Weighing& first, const Points& supports,
-                                                  const Settings& settings, double near) {
+                                                  const Settings& settings) {
   const Weighed& weighed = settings.weighed;
   if (weighed.tilted_readings.empty()) return std::optional<Weighing::Height>();
   if (!(weighed.tilted > 0))
@@ -156,7 +161,7 @@ Result<std::optional<Weighing::Height>> height_of(const Weighing& first, const P
   if (auto wrong = check_count(Setting::readings_tilted, weighed.tilted_readings, supports.size()))
     return *std::move(wrong);
   const auto second =
-      balance_of(supports, weighed.tilted_readings, weighed.error, Setting::readings_tilted, near);
+      balance_of(supports, weighed.tilted_readings, weighed.error, Setting::readings_tilted);
   if (!second) return second.error();
   const Vec2 uphill = *weighed.heading / length(*weighed.heading);
   Weighing::Height found;
@@ -181,8 +186,9 @@ Result<Weighing> weigh(const Points& supports, const Settings& settings, double 
     return *std::move(wrong);
   const double near = near_distance(diameter);
   if (auto wrong = check_places(supports, near)) return *std::move(wrong);
-  const auto level = balance_of(supports, weighed.readings, weighed.error, Setting::readings, near);
+  const auto level = balance_of(supports, weighed.readings, weighed.error, Setting::readings);
   if (!level) return level.error();
+  if (auto wrong = check_inside(supports, level->centre, near)) return *std::move(wrong);
   double cargo = 0;
   for (const Cargo& item : settings.cargo) cargo += item.weight;
   if (!(level->weight > cargo))
@@ -195,7 +201,7 @@ Result<Weighing> weigh(const Points& supports, const Settings& settings, double 
   found.centre = level->centre;
   found.radius = level->radius;
   compare_with_springs(found, supports, weighed.readings, weighed.error, diameter);
-  auto height = height_of(found, supports, settings, near);
+  auto height = height_of(found, supports, settings);
   if (!height) return height.error();
   found.height = *height;
   return found;
@@ -254,6 +260,8 @@ Shown as_weighed(const Weighing& weighing, const Settings& settings, Shown shown
   if (weighing.height)
     height = std::clamp(weighing.height->height + weighing.height->error, height, max_length);
   const double radius = radius_of(weighing, settings, height);
+  shown.carrying.weight_doubt =
+      std::max(shown.carrying.weight_doubt, weighing.weight_error / weighing.weight);
   shown.com_radius = std::clamp(radius, shown.com_radius, std::max(shown.com_radius, max_length));
   return shown;
 }
@@ -282,6 +290,7 @@ std::optional<Document> settled_after_edit(const Document& edited, const Documen
   if (!edited.centre_of_mass) settled.centre_of_mass = told.centre_of_mass;
   settled.shown.com_radius = told.shown.com_radius;
   settled.shown.carrying.com_height = told.shown.carrying.com_height;
+  settled.shown.carrying.weight_doubt = told.shown.carrying.weight_doubt;
   return settled;
 }
 

@@ -74,8 +74,7 @@ class Drawing {
     return drawing + named();
   }
 
-  std::string document(const std::string& drawing, const Caption& caption,
-                       std::string_view link,
+  std::string document(const std::string& drawing, const Caption& caption, std::string_view link,
                        std::string_view cases) const {
     const double width = paper_.width, height = paper_.height + caption.height;
     const auto rect = [](double inset, double w, double h, const std::string& look) {

@@ -100,6 +100,8 @@ std::string weighing_in_words(const Reported& of) {
   if (weighing->weight_error > 0)
     add(say("The weight may be off by up to {amount}.",
             {load_in_words(weighing->weight_error, of.shown.units, Toward::up)}));
+  if (of.placement.settings.weighed.level_error > 0 && !of.shown.carrying.has_height())
+    add(say("The error of level counts only with the height of C."));
   if (weighing->height) add(height_in_words(of, *weighing->height));
   add(misfit_of_readings(of));
   return text;
@@ -174,7 +176,9 @@ std::vector<CaseInWords> cases_in_words(const Reported& of, const std::vector<Lo
                     each.robot ? std::to_string(*each.robot + 1) : nothing,
                     each.least ? amount(*each.least, largest, Toward::down) : nothing,
                     of.report.has_capacities ? use_in_words(each.use) : std::string(),
-                    each.stays ? say("yes") : say("no")});
+                    !each.stays                 ? say("no")
+                    : each.use && *each.use > 1 ? say("yes, but overloaded")
+                                                : say("yes")});
   return rows;
 }
 
