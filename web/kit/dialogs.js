@@ -4,13 +4,14 @@ import { translated } from "../words/words.js";
 
 const styles = new Map();
 
-// Resolves once a style sheet is loaded: the common one, or a window's own.
+// Resolves once a style sheet is loaded: the common one, or a window's own. They follow page.css, which is in the body,
+// so that their rules come after its rules.
 export function ensureStyles(name = "dialogs.css") {
   if (!styles.has(name)) {
     styles.set(
       name,
       new Promise((done) => {
-        document.head.append(
+        document.body.append(
           el("link", { rel: "stylesheet", href: new URL(name, import.meta.url).href, onload: done, onerror: done }),
         );
       }),

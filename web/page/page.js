@@ -86,7 +86,7 @@ async function load(bindings) {
 async function loadMirror(program, field, publisher) {
   const style = Object.assign(document.createElement("link"), { rel: "stylesheet", href: "mirror.css" });
   const styled = new Promise((done, fail) => Object.assign(style, { onload: done, onerror: fail }));
-  document.head.append(style);
+  document.body.append(style);
   const [{ createMirror }] = await Promise.all([import("./mirror.js"), styled]);
   return createMirror(program, field, (text, problem) => publisher.notice(text, problem));
 }
