@@ -45,6 +45,11 @@ Value value_or_refusal(Setting setting, const std::optional<Value>& value,
   return *value;
 }
 
+// A weight whose unit is that many kilograms in the document's unit; without a unit it is in that.
+double in_own_unit(double weight, const std::optional<double>& unit, const Document& document) {
+  return unit ? weight * *unit / in_kilograms(1, document.shown.units.weight) : weight;
+}
+
 // The readings of a file of supports.
 void take_readings(const SupportFile& read, const std::string& file, Document& document) {
   if (read.wrong_reading) throw bad_input(file, *read.wrong_reading);
@@ -55,25 +60,23 @@ void take_readings(const SupportFile& read, const std::string& file, Document& d
                       : "a support in " + file + " has no reading"};
   std::string text;
   for (const double reading : read.readings)
-    text += (text.empty() ? "" : " ") +
-            shortest(reading * read.reading_unit.value_or(1) /
-                     (read.reading_unit ? in_kilograms(1, document.shown.units.weight) : 1));
+    text += (text.empty() ? "" : " ") + shortest(in_own_unit(reading, read.reading_unit, document));
   setting_option(Setting::readings, text, document);
 }
 
-void supports_option(const std::string& text, Document& document, bool weigh) {
-  if (!read_setting(Setting::supports, text, document)) {
-    if (weigh)
-      throw Failure{bad_input_status, "--weigh", "applies to --supports with a file of supports"};
-    return;
-  }
+// Returns whether the text named a file. If `weigh` is set, takes its readings.
+bool supports_option(const std::string& text, Document& document, bool weigh) {
+  if (!read_setting(Setting::supports, text, document)) return false;
   const std::optional<std::string> file = read_file(text);
   if (!file && text.find(',') == std::string::npos)
     throw Failure{bad_input_status, "--supports",
                   "there is no file " + text.substr(0, 200) +
                       "; points are written like "
                       "\"0,0 160,0 80,90\""};
-  if (!file) return setting_option(Setting::supports, text, document);  // says what is wrong
+  if (!file) {
+    setting_option(Setting::supports, text, document);  // says what is wrong
+    return false;
+  }
   const Result<SupportFile> read = read_support_file(*file);
   if (!read) throw bad_input(text, read.error());
   // A hand lifts beneath the object, away from the contact.
@@ -86,13 +89,12 @@ void supports_option(const std::string& text, Document& document, bool weigh) {
   for (const Vec2& place : by_contact ? read->contacts : read->places)
     document.settings.supports.push_back(place * scale);
   document.shown.support_capacities = read->capacities;
-  if (read->capacity_unit)
-    for (std::optional<double>& capacity : document.shown.support_capacities)
-      if (capacity)
-        capacity = *capacity * *read->capacity_unit / in_kilograms(1, document.shown.units.weight);
+  for (std::optional<double>& capacity : document.shown.support_capacities)
+    if (capacity) capacity = in_own_unit(*capacity, read->capacity_unit, document);
   document.settings.method = Method::given;
   document.moved = {};
   if (weigh) take_readings(*read, text, document);
+  return true;
 }
 
 }  // namespace
@@ -157,12 +159,13 @@ void SettingOptions::apply(Document& document) const {
   for (const SettingRow& row : all_settings())
     if (typed(row.setting) && row.setting != Setting::supports && row.setting != Setting::cargo)
       setting_option(row.setting, *typed(row.setting), document);
-  if (weigh && !typed(Setting::supports))
-    throw Failure{bad_input_status, "--weigh", "applies to --supports with a file of supports"};
   if (const Typed& cargo = typed(Setting::cargo)) add_cargo(*cargo, document);
   // The file of supports may need the unit. Supports set the method; another is refused below.
   const Method method = document.settings.method;
-  if (const Typed& supports = typed(Setting::supports)) supports_option(*supports, document, weigh);
+  const Typed& supports = typed(Setting::supports);
+  const bool from_file = supports && supports_option(*supports, document, weigh);
+  if (weigh && !from_file)
+    throw Failure{bad_input_status, "--weigh", "applies to --supports with a file of supports"};
   if (typed(Setting::method)) document.settings.method = method;
   for (const Setting needs :
        {Setting::reading_error, Setting::level_error, Setting::readings_tilted})
@@ -175,8 +178,7 @@ void SettingOptions::apply(Document& document) const {
     if (typed(needs) && document.settings.weighed.tilted_readings.empty())
       throw Failure{bad_input_status, as_typed(name(needs)), "applies to --readings-tilted"};
   if (is_weighed(document.settings) && typed(Setting::weight))
-    throw Failure{bad_input_status, "--weight",
-                  "the readings give the weight: leave out the weight, or the readings"};
+    throw Failure{bad_input_status, "--weight", weight_is_weighed};
   for (const SettingRow& row : all_settings())
     if (typed(row.setting))
       if (const std::string why = why_unused(row, document.settings); !why.empty())

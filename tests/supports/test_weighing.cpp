@@ -428,6 +428,7 @@ TEST_CASE("the factor and the doubt about the weight count in everything that co
       use_in_words(Reported({placement, document.shown}, report)) ==
       "Robot 1 is used to 101\u00A0%, with a dynamic factor of 1.1 and a weight that may be off by "
       "10\u00A0%.");
+  CHECK(limit_in_words({placement, document.shown}) == "30\u00A0kg divided by 1.21");
 
   // The plan for a capacity, too: without the factor two teams would do.
   document.settings.method = Method::area;
@@ -516,6 +517,12 @@ TEST_CASE("what was weighed is said", "[weighing][words]") {
       "even ground. Either the ground is uneven or the object bends: then W and C are right all "
       "the same. Or a reading is wrong, by up to 20.0 kg, and W and C are wrong with it. Lift, set "
       "down and read again.");
+  // A support that reads nothing does not share the weight.
+  document.settings.supports.push_back({0.5, 0.5});
+  document.settings.weighed.readings.push_back(0);
+  document.shown.carrying.give = 0.004;
+  CHECK(said().ends_with("Heights that are off by up to 0.000800 explain them, too."));
+  document = weighed_on(unit_square, {10, 20, 30, 40});
   document.settings.weighed.error = {0, 5};
   CHECK(said() ==
         "Weighed: 100 kg, C at (0.500, 0.700), known within 0.125. The weight may be off by up to "

@@ -84,8 +84,8 @@ void apply_style(const AppState& state, double control_height);
 // sharp as possible.
 void sharpen(ImDrawList& list, const AppState& state);
 
-// --- The page's two fonts: those of assets/fonts, embedded by cmake/Embed.cmake or given, or larger ones that
-// the page fetched.
+// --- The page's two fonts: those of assets/fonts, embedded by cmake/Embed.cmake or given, or larger
+// ones that the page fetched.
 
 struct FontData {
   const unsigned char* bytes;

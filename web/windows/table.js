@@ -69,8 +69,10 @@ export const weigh = (page) => show(page, { list: lists.robots });
 
 export async function show(page, { list } = {}) {
   const open = document.getElementById(name);
-  if (open?.open) open.close(); // the same key opens and closes the table
-  if (open?.open === false && !list) return;
+  if (open?.open) {
+    open.close(); // the same key opens and closes the table
+    if (!list) return;
+  }
   const table = new Table(page);
   const root = await openWindow({
     name,

@@ -23,9 +23,11 @@ std::uint32_t most_teams_tried(const Settings& settings);
 // neither is given. Robots are numbered as in find_robot() (loads.h). O(1).
 std::optional<double> capacity_of(const ShownPlacement& of, std::size_t robot);
 
+// The dynamic factor times 1 + the uncertainty of the weight. O(1).
+double load_factor(const Carrying& carrying);
+
 // The load without dynamic effects that a robot with this capacity may be expected to carry: the
-// capacity divided by the dynamic factor and by 1 + the uncertainty of the weight. Loads are compared
-// with this. O(1).
+// capacity divided by load_factor(). Loads are compared with this. O(1).
 double limit_of(double capacity, const Carrying& carrying);
 
 // has_capacities() returns whether any robot has a capacity, and has_own_capacities() whether given
@@ -73,9 +75,9 @@ struct CapacityPlan {
 inline constexpr double most_work_planned = 0.5;
 
 // Makes a plan for the object of `placement`, a result of place(), with its candidates. Each robot
-// carries up to `capacity` > 0, in the unit of the weight; pass limit_of() a capacity. The plan depends on the polygon, the
-// holes, the centre of mass, and all settings that affect loads except the number of teams or
-// robots.
+// carries up to `capacity` > 0, in the unit of the weight: what limit_of() returns. The plan depends
+// on the polygon, the holes, the centre of mass, and all settings that affect loads except the number
+// of teams or robots.
 //
 // Without swaps, the methods `area`, `circle`, `distance` and `random` choose teams one after
 // another. So the first k teams of a selection are a placement of k teams, and a plan costs as much

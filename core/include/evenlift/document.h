@@ -200,6 +200,10 @@ struct Weighed {
   bool operator==(const Weighed&) const = default;
 };
 
+// Why a weight beside readings is refused.
+inline constexpr char weight_is_weighed[] =
+    "the readings give the weight: leave out the weight, or the readings";
+
 // The inputs of a placement except the polygon and the centre of mass.
 struct Settings {
   // The number of teams, 1 .. max_teams. For methods that choose among candidates, empty ("max")

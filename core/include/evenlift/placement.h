@@ -83,10 +83,10 @@ bool hold_firmly(const Placement& placement);
 bool is_held(const Placement& placement);
 
 // Checks the document and computes its placement. With readings of supports (weighing.h), it is an
-// error if C is given, or a weight other than the default. The same document gives the same bits on every
-// platform. The errors are those of check_settings(), Polygon::create(),
-// PolygonWithHoles::create(), centre_of_mass(), make_stands(), place_supports(), weigh(), find_candidates(),
-// check_swaps() and, for moved robots, with_moved() (moved.h). O(n log n + K log K) for K edge
+// error if C is given, or a weight other than the default. The same document gives the same bits on
+// every platform. The errors are those of check_settings(), Polygon::create(),
+// PolygonWithHoles::create(), centre_of_mass(), make_stands(), place_supports(), weigh(),
+// find_candidates(), check_swaps() and, for moved robots, with_moved() (moved.h). O(n log n + K log K) for K edge
 // pairs and O(n h) for the coverage, plus the cost of the stands (stands.h), the selection
 // (selection.h), the swaps (swaps.h) or the search for balanced robots (balanced.h).
 Result<Placement> place(const Document& document, Effort effort = Effort::whole);

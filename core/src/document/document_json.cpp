@@ -91,15 +91,17 @@ DocumentReader::Problem DocumentReader::read(Index object, Document& document) {
                  ErrorCode::bad_setting);
   if (found[3]) found[2].reset();  // the other is with cargo
   // What evenlift wrote tells the weight and C that follow from readings.
-  const auto readings = found[number(Setting::readings)];
-  if (from_ != From::request && readings && tree_.kind(*readings) != Kind::null)
-    for (const std::size_t follows : {std::size_t{2}, std::size_t{3}, number(Setting::weight)})
-      found[follows].reset();
-  const bool weighs = from_ == From::request && readings && tree_.kind(*readings) != Kind::null;
-  if (const auto weight = found[number(Setting::weight)];
-      weighs && weight && tree_.kind(*weight) != Kind::null)
-    return error(*weight, "the readings give the weight: leave out the weight, or the readings",
-                 ErrorCode::bad_setting);
+  const auto is_given = [&](Setting setting) {
+    const auto at = found[number(setting)];
+    return at && tree_.kind(*at) != Kind::null;
+  };
+  if (is_given(Setting::readings)) {
+    if (from_ != From::request)
+      for (const std::size_t follows : {std::size_t{2}, std::size_t{3}, number(Setting::weight)})
+        found[follows].reset();
+    else if (is_given(Setting::weight))
+      return error(*found[number(Setting::weight)], weight_is_weighed, ErrorCode::bad_setting);
+  }
   // Supports set the method, and the size of robots comes before its parts.
   for (const std::size_t early : {number(Setting::robot), number(Setting::supports)})
     if (const auto at = std::exchange(found[early], std::nullopt))

@@ -439,10 +439,10 @@ std::optional<double> weight_unit_of(std::string_view heading) {
   std::string_view unit = open == std::string_view::npos ? heading : heading.substr(open + 1);
   if (open == std::string_view::npos) unit = unit.substr(unit.rfind(' ') + 1);  // the last word
   unit = trimmed(unit.substr(0, unit.find_first_of(")]")));
-  constexpr double newton = 1 / 9.80665;
+  const double newton = in_kilograms(1, WeightUnit::N), pound = in_kilograms(1, WeightUnit::lb);
   const std::pair<std::string_view, double> known[] = {
       {"kg", 1},     {"kgf", 1},           {"g", 0.001},         {"t", 1000},
-      {"to", 1000},  {"lb", 0.45359237},   {"lbs", 0.45359237},  {"lbf", 0.45359237},
+      {"to", 1000},  {"lb", pound},        {"lbs", pound},       {"lbf", pound},
       {"n", newton}, {"dan", 10 * newton}, {"kn", 1000 * newton}};
   for (const auto& [name, kilograms] : known)
     if (same_word(unit, name)) return kilograms;

@@ -155,8 +155,12 @@ std::optional<double> capacity_of(const ShownPlacement& of, std::size_t robot) {
                                                                     : of.shown.capacity;
 }
 
+double load_factor(const Carrying& carrying) {
+  return carrying.dynamic * (1 + carrying.weight_doubt);
+}
+
 double limit_of(double capacity, const Carrying& carrying) {
-  return capacity / (carrying.dynamic * (1 + carrying.weight_doubt));
+  return capacity / load_factor(carrying);
 }
 
 bool has_capacities(const ShownPlacement& of) {

@@ -311,8 +311,7 @@ Result<Mass> mass_of(const PolygonWithHoles& object, const std::optional<Vec2>& 
   std::optional<Vec2> own = own_centre;
   if (is_weighed(settings)) {
     if (settings.weight != Settings{}.weight)
-      return setting_error(Setting::weight,
-                           "the readings give the weight: leave out the weight, or the readings");
+      return setting_error(Setting::weight, weight_is_weighed);
     if (own)
       return setting_error(Setting::com,
                            "the readings give the centre of mass: leave it out, or the readings");
@@ -342,10 +341,10 @@ Result<Placement> place(PolygonWithHoles object, const std::optional<Vec2>& own_
   auto mass = mass_of(object, own_centre, given);
   if (!mass) return mass.error();
   const Settings& settings = mass->settings;
-  const CentreOfMass* const centre = &mass->centre;
-  auto stands = make_stands(object, centre->all, settings);
-  if (!stands) return with_hint(stands.error(), object, centre->all, settings);
-  auto candidates = candidates_of(object, centre->all, settings, stands->get());
+  const CentreOfMass& centre = mass->centre;
+  auto stands = make_stands(object, centre.all, settings);
+  if (!stands) return with_hint(stands.error(), object, centre.all, settings);
+  auto candidates = candidates_of(object, centre.all, settings, stands->get());
   if (!candidates) return candidates.error();
   if (swaps_teams(settings))
     if (auto error =
@@ -354,8 +353,8 @@ Result<Placement> place(PolygonWithHoles object, const std::optional<Vec2>& own_
 
   Placement placement(std::move(object));
   placement.stands = *std::move(stands);
-  placement.own_centre = centre->own;
-  placement.centre_of_mass = centre->all;
+  placement.own_centre = centre.own;
+  placement.centre_of_mass = centre.all;
   placement.settings = settings;
   placement.weighing = std::move(mass->weighing);
   placement.candidates = std::move(*candidates);

@@ -56,24 +56,21 @@ struct Balance {
   double radius = 0;
 };
 
-InputError error_in(Setting setting, std::string why) {
-  return setting_error(setting, std::move(why));
-}
-
 std::optional<InputError> check_count(Setting setting, const std::vector<double>& readings,
                                       std::size_t supports) {
   if (readings.size() == supports) return std::nullopt;
-  return error_in(setting, say("{readings} readings are given for {supports} supports",
-                               {readings.size(), supports}));
+  return setting_error(setting, say("{readings} readings are given for {supports} supports",
+                                    {readings.size(), supports}));
 }
 
 std::optional<InputError> check_places(const Points& supports, double near) {
   if (convex_hull(supports, near).size() >= 3) return std::nullopt;
-  return error_in(Setting::readings,
-                  supports.size() == 1
-                      ? "one support does not tell where C is: weigh with three or more"
-                      : "the supports are on one line, so C is known along that line only: turn "
-                        "the object and weigh it again, or weigh with three supports");
+  return setting_error(
+      Setting::readings,
+      supports.size() == 1
+          ? "one support does not tell where C is: weigh with three or more"
+          : "the supports are on one line, so C is known along that line only: turn "
+            "the object and weigh it again, or weigh with three supports");
 }
 
 // The supports must not be on one line.
@@ -82,14 +79,14 @@ Result<Balance> balance_of(const Points& supports, const std::vector<double>& re
   Balance found;
   found.weight = sum_of(readings);
   if (!(found.weight >= min_weight))
-    return error_in(setting, "all readings are 0: nothing stands on the supports");
+    return setting_error(setting, "all readings are 0: nothing stands on the supports");
   const std::vector<double> errors = errors_of(readings, error);
   found.weight_error = sum_of(errors);
   if (!(found.weight_error < found.weight))
-    return error_in(Setting::reading_error,
-                    say("the readings may be off by {error} in all, as much as they read, "
-                        "{weight}: then nothing is known",
-                        {shortest(found.weight_error), shortest(found.weight)}));
+    return setting_error(Setting::reading_error,
+                         say("the readings may be off by {error} in all, as much as they read, "
+                             "{weight}: then nothing is known",
+                             {shortest(found.weight_error), shortest(found.weight)}));
   // About the first support: coordinates may be far larger than distances.
   const Vec2& origin = supports.front();
   Vec2 moment;
@@ -108,7 +105,7 @@ std::optional<InputError> check_inside(const Points& supports, const Vec2& centr
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vec2 &a = hull[i], &b = hull[(i + 1) % hull.size()];
     if (orient(a, b, centre) / length(b - a) <= near)
-      return error_in(
+      return setting_error(
           Setting::readings,
           "C is at the edge of the supports' hull, since those that carry are on one line: the object "
           "may tip, and C is known only if three that are not on one line carry");
@@ -154,10 +151,11 @@ Result<std::optional<Weighing::Height>> height_of(const Weighing& first, const P
   const Weighed& weighed = settings.weighed;
   if (weighed.tilted_readings.empty()) return std::optional<Weighing::Height>();
   if (!(weighed.tilted > 0))
-    return error_in(Setting::tilted, "the second weighing needs its slope, such as 8% or 5deg");
+    return setting_error(Setting::tilted,
+                         "the second weighing needs its slope, such as 8% or 5deg");
   if (!weighed.heading)
-    return error_in(Setting::heading,
-                    "the second weighing needs the direction uphill, such as 1,0");
+    return setting_error(Setting::heading,
+                         "the second weighing needs the direction uphill, such as 1,0");
   if (auto wrong = check_count(Setting::readings_tilted, weighed.tilted_readings, supports.size()))
     return *std::move(wrong);
   const auto second =
@@ -192,9 +190,10 @@ Result<Weighing> weigh(const Points& supports, const Settings& settings, double 
   double cargo = 0;
   for (const Cargo& item : settings.cargo) cargo += item.weight;
   if (!(level->weight > cargo))
-    return error_in(Setting::readings,
-                    say("the readings add up to {weight}, no more than the cargo alone, {cargo}",
-                        {shortest(level->weight), shortest(cargo)}));
+    return setting_error(
+        Setting::readings,
+        say("the readings add up to {weight}, no more than the cargo alone, {cargo}",
+            {shortest(level->weight), shortest(cargo)}));
   Weighing found;
   found.weight = level->weight;
   found.weight_error = level->weight_error;

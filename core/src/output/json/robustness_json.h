@@ -24,9 +24,10 @@ std::string models(const std::optional<ModelLoads>& models, int depth);
 
 std::string ranges(const std::vector<LoadRange>& ranges);
 
-// Includes the ranges of the loads if there is a disturbance.
 // What the readings tell; the object must have been weighed.
 std::string weighing(const Reported& of, int depth);
+
+// Includes the ranges of the loads if there is a disturbance.
 std::string robustness(const Reported& of, const std::optional<ModelLoads>& models, int depth);
 
 // If there is a disturbance, includes for each failure RestOfRobots::stays, and the greatest load

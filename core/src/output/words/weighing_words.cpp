@@ -69,7 +69,9 @@ std::string misfit_of_readings(const Reported& of) {
   if (give && weighing.weight > 0) {
     double most = 0;
     for (const double r : weighing.residuals) most = std::max(most, std::fabs(r));
-    const auto m = static_cast<double>(weighing.residuals.size());
+    const auto& spread = weighing.spread;  // above 0 for those that carry
+    const auto m = static_cast<double>(
+        std::count_if(spread.begin(), spread.end(), [](double each) { return each > 0; }));
     text += " " + say("Heights that are off by up to {amount} explain them, too.",
                       {length_up(most * *give * m / weighing.weight, units)});
   }
@@ -141,7 +143,6 @@ namespace {
 std::string name_of_case(const LoadCase& each, const Reported& of) {
   const Carrying& carrying = of.shown.carrying;
   const Units& units = of.shown.units;
-  const auto length = [&](double value) { return with_length_unit(plain(value), units); };
   switch (each.kind) {
     case LoadCase::Kind::level:
       return say("as given, level and still");
@@ -153,7 +154,7 @@ std::string name_of_case(const LoadCase& each, const Reported& of) {
       return say("braked at up to {amount}",
                  {significant(carrying.acceleration, 3, Toward::nearest) + "\u00A0g"});
     case LoadCase::Kind::uneven:
-      return say("heights off by up to {amount}", {length(carrying.uneven)});
+      return say("heights off by up to {amount}", {given_length(carrying.uneven, units)});
     case LoadCase::Kind::all:
       return say("all of these");
     case LoadCase::Kind::failure:

@@ -4,9 +4,11 @@
 #include "evenlift/output/robustness_words.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <tuple>
 
+#include "evenlift/capacity.h"
 #include "evenlift/stands.h"
 #include "evenlift/swaps.h"
 #include "evenlift/tolerance.h"
@@ -453,14 +455,12 @@ std::string verdict(const Reported& of) {
 }
 
 std::string limit_in_words(const ShownPlacement& of) {
-  const Carrying& carrying = of.shown.carrying;
-  const double factor = carrying.dynamic * (1 + carrying.weight_doubt);
-  if (factor == 1)
-    return has_own_capacities(of) ? say("its capacity")
-                                  : given_weight(*of.shown.capacity, of.shown.units);
-  if (has_own_capacities(of)) return say("its capacity divided by {factor}", {plain(factor)});
-  return say("{capacity} divided by {factor}",
-             {given_weight(*of.shown.capacity, of.shown.units), plain(factor)});
+  const double factor = load_factor(of.shown.carrying);
+  const std::string text = plain(std::round(1e4 * factor) / 1e4);
+  if (has_own_capacities(of))
+    return factor == 1 ? say("its capacity") : say("its capacity divided by {factor}", {text});
+  const std::string capacity = given_weight(*of.shown.capacity, of.shown.units);
+  return factor == 1 ? capacity : say("{capacity} divided by {factor}", {capacity, text});
 }
 
 std::string capacity_in_words(const Reported& of) {
