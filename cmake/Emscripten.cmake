@@ -70,7 +70,7 @@ function(evenlift_page_program target)
     -sMIN_WEBGL_VERSION=2
     -sMAX_WEBGL_VERSION=2
     -sALLOW_MEMORY_GROWTH=1
-    # 6,000 bytes less after compression.
+    # 3,800 bytes less after compression.
     -sBINARYEN_EXTRA_PASSES=--flatten,--rereloop,-Oz,-Oz
     ${evenlift_stack})
 endfunction()
