@@ -23,11 +23,8 @@ std::uint32_t most_teams_tried(const Settings& settings);
 // neither is given. Robots are numbered as in find_robot() (loads.h). O(1).
 std::optional<double> capacity_of(const ShownPlacement& of, std::size_t robot);
 
-// The dynamic factor times 1 + the uncertainty of the weight. O(1).
-double load_factor(const Carrying& carrying);
-
 // The load without dynamic effects that a robot with this capacity may be expected to carry: the
-// capacity divided by load_factor(). Loads are compared with this. O(1).
+// capacity divided by Carrying::load_factor(). Loads are compared with this. O(1).
 double limit_of(double capacity, const Carrying& carrying);
 
 // has_capacities() returns whether any robot has a capacity, and has_own_capacities() whether given

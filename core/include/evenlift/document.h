@@ -201,8 +201,7 @@ struct Weighed {
 };
 
 // Why a weight beside readings is refused.
-inline constexpr char weight_is_weighed[] =
-    "the readings give the weight: leave out the weight, or the readings";
+extern const char weight_is_weighed[];
 
 // The inputs of a placement except the polygon and the centre of mass.
 struct Settings {
@@ -252,7 +251,11 @@ struct Carrying {
                                 // min_weight .. max_weight
   double dynamic = 1;  // factor on the greatest loads before they meet a capacity, 1 .. max_dynamic
   double weight_doubt = 0;  // how far the weight may be off, as a part of it, 0 .. 1
-  bool has_height() const { return com_height > 0; }  // of C, as far as it is known
+
+  // What loads are multiplied by before they meet a capacity.
+  double load_factor() const { return dynamic * (1 + weight_doubt); }
+  // Whether the height of C is known.
+  bool has_height() const { return com_height > 0; }
   bool operator==(const Carrying&) const = default;
 };
 

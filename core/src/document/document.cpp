@@ -83,6 +83,9 @@ std::string_view name(WeightUnit unit) {
   return {};
 }
 
+const char weight_is_weighed[] =
+    "the readings give the weight: leave out the weight, or the readings";
+
 double in_kilograms(double weight, WeightUnit unit) {
   switch (unit) {
     case WeightUnit::kg:

@@ -155,12 +155,8 @@ std::optional<double> capacity_of(const ShownPlacement& of, std::size_t robot) {
                                                                     : of.shown.capacity;
 }
 
-double load_factor(const Carrying& carrying) {
-  return carrying.dynamic * (1 + carrying.weight_doubt);
-}
-
 double limit_of(double capacity, const Carrying& carrying) {
-  return capacity / load_factor(carrying);
+  return capacity / carrying.load_factor();
 }
 
 bool has_capacities(const ShownPlacement& of) {

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <tuple>
 
-#include "evenlift/capacity.h"
 #include "evenlift/stands.h"
 #include "evenlift/swaps.h"
 #include "evenlift/tolerance.h"
@@ -455,7 +454,7 @@ std::string verdict(const Reported& of) {
 }
 
 std::string limit_in_words(const ShownPlacement& of) {
-  const double factor = load_factor(of.shown.carrying);
+  const double factor = of.shown.carrying.load_factor();
   const std::string text = plain(std::round(1e4 * factor) / 1e4);
   if (has_own_capacities(of))
     return factor == 1 ? say("its capacity") : say("its capacity divided by {factor}", {text});
