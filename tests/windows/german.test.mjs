@@ -1,7 +1,19 @@
 // The page's windows in German, and the choice of language.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asset, idle, link, load, phone, press, set, sharedBrowser, summary } from "../page/browser.mjs";
+import {
+  asset,
+  fragment,
+  idle,
+  link,
+  load,
+  phone,
+  press,
+  set,
+  sharedBrowser,
+  state,
+  summary,
+} from "../page/browser.mjs";
 import { allClosed, openWindow } from "../page/windows.mjs";
 
 const browser = sharedBrowser();
@@ -79,5 +91,90 @@ test("the menu changes the language of this browser, and the work stays", async 
   await idle(page);
   assert.match(await summary(page), /robots/);
   assert.equal(await link(page), before);
+  await page.done();
+});
+
+// --- Numbers as Germans write them ----------------------------------------------------------------------------------
+
+// Types over a field of the panel, as a visitor does, and confirms.
+async function type(page, name, text) {
+  await press(page, name);
+  await page.keyboard.type(text);
+  await page.keyboard.press("Enter");
+  await idle(page);
+}
+const shownIn = async (page, label) => plain(await page.locator(`#mirror input[aria-label="${label}"]`).inputValue());
+const plain = (text) => text.replaceAll("\u00a0", " ");
+
+test("numbers have a decimal comma in sentences, fields and pictures, and a point in links and for scripts", async () => {
+  const page = await browser.open({ address: "?lang=de" });
+  assert.match(plain(await summary(page)), /16,7 kg/);
+  assert.doesNotMatch(plain(await summary(page)), /\d\.\d/);
+  await type(page, "com", "560,123; 250,5");
+  assert.deepEqual((await state(page)).centre_of_mass, [560.123, 250.5]);
+  await press(page, "com");
+  assert.equal(await page.evaluate(() => document.activeElement.value), "560,123; 250,5", "to be typed over");
+  await page.keyboard.press("Escape");
+  await type(page, "min ratio", "0,85");
+  assert.equal((await state(page)).min_ratio, 0.85);
+  assert.equal(await shownIn(page, "Kleinstes Lastverhältnis"), "0,85");
+  const svg = await page.evaluate(() => window.evenlift.svg());
+  assert.match(plain(svg), /<text[^>]*>[^<]*\d,\d kg<|\d,\d kg/);
+  assert.doesNotMatch(await fragment(page), /,5/);
+  await page.done();
+});
+
+test("German 1.000 is asked about, and what is no doubt is read", async () => {
+  const page = await browser.open({ address: "?lang=de" });
+  for (const [typed, weight] of [
+    ["1000", 1000],
+    ["437,5", 437.5],
+    ["437.5", 437.5],
+    ["1.234,5", 1234.5],
+    ["1,234.5", 1234.5],
+    ["1.000.000", 1e6],
+    ["1,000", 1],
+    ["0.125", 0.125],
+  ]) {
+    await type(page, "weight", typed);
+    assert.equal((await state(page)).weight, weight, typed);
+  }
+  for (const [typed, readings] of [
+    ["1.000", "1000 oder 1 "],
+    ["1.500", "1500 oder 1,5 "],
+  ]) {
+    await type(page, "weight", typed);
+    assert.match(await page.locator("#alert").textContent(), new RegExp(`^„${typed}“ kann ${readings}bedeuten`));
+    await page.keyboard.press("Escape");
+    await idle(page);
+    assert.equal((await state(page)).weight, 0.125, typed);
+  }
+  await page.done();
+});
+
+test("the table of vertices shows and reads decimal commas, and keeps each digit", async () => {
+  const page = await browser.open({ address: "?lang=de" });
+  await load(page, "(0,0)\n(10.5,0)\n(10.123456789012,8)\n(0,8)\n");
+  await openWindow(page, "table");
+  const inputs = page.locator("#table tbody input");
+  assert.equal(await inputs.nth(2).inputValue(), "10,5");
+  await inputs.nth(4).focus();
+  assert.equal(await inputs.nth(4).inputValue(), "10,123456789012");
+  await inputs.nth(2).fill("11,25");
+  await inputs.nth(2).press("Enter");
+  await idle(page);
+  assert.deepEqual((await state(page)).polygon[1], [11.25, 0]);
+  assert.deepEqual((await state(page)).polygon[2], [10.123456789012, 8]);
+  await page.done();
+});
+
+test("a weight keeps the name that a user gave it", async () => {
+  const page = await browser.open({ address: "?lang=de" });
+  await set(page, { cargo: [{ at: [400, 300], weight: 20, name: "robots" }] });
+  await openWindow(page, "table");
+  await page.locator("#table").getByRole("button", { name: "Gewichte", exact: true }).click();
+  await idle(page);
+  assert.equal(await page.locator("#table tbody input").last().inputValue(), "robots");
+  assert.match(await page.evaluate(() => window.evenlift.svg()), />robots</);
   await page.done();
 });

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { fragment, idle, load, phone, published, set, sharedBrowser, state, undo } from "../page/browser.mjs";
+import { openWindow } from "../page/windows.mjs";
 
 const browser = sharedBrowser();
 
@@ -150,5 +151,25 @@ test("all cases of loading are a table with the worst one marked, to be printed"
   await page.emulateMedia({ media: "print" });
   assert.equal(await page.locator("#cases .paper-title").isVisible(), true);
   assert.equal(await page.locator("#canvas").isVisible(), false);
+  await page.done();
+});
+
+async function handout(page) {
+  await openWindow(page, "lessons");
+  await page.locator("#lessons").getByRole("button", { name: "Handout" }).click();
+  await page.locator("#handout figure").first().waitFor();
+}
+
+test("the handout of robots with conditions has all cases", async () => {
+  const page = await weighing();
+  await read(page, readings);
+  await page.keyboard.press("Escape");
+  await handout(page);
+  assert.equal(await page.locator("#handout .cases").count(), 0, "no capacity, and no condition");
+  await page.keyboard.press("Escape");
+  await set(page, { slope: "5%", com_height: 200, capacity: 200 });
+  await handout(page);
+  assert.equal(await page.locator("#handout .cases tbody tr").count(), 6);
+  assert.equal(await page.locator("#handout .cases tr.worst").count(), 1);
   await page.done();
 });

@@ -10,7 +10,7 @@ import re
 import sys
 
 root = pathlib.Path(__file__).resolve().parent.parent.parent / "assets/lessons"
-number = re.compile(r"\d+(?:\.\d+)?")
+number = re.compile(r"\d+(?:[.,]\d+)?")  # in German with a comma
 
 
 def parts(text):
@@ -18,7 +18,7 @@ def parts(text):
     head, *rest = re.split(r"^(\[[^\]\n]+\])$", text, flags=re.MULTILINE)
     settings = [line for line in head.splitlines() if line.strip() and not line.startswith(("#", "title:"))]
     words = ["\n".join(line for line in part.splitlines() if not line.startswith("#")) for part in rest[1::2]]
-    return settings, [(name, collections.Counter(number.findall(text))) for name, text in zip(rest[::2], words)]
+    return settings, [(name, collections.Counter(each.replace(",", ".") for each in number.findall(text))) for name, text in zip(rest[::2], words)]
 
 
 problems = []

@@ -50,3 +50,29 @@ TEST_CASE("a text with braces is no pattern once it is a value", "[words]") {
   CHECK(say("{name} is here", {"{robot}"}) == "{robot} is here");
   CHECK(say("{name", {}) == "{name");
 }
+
+TEST_CASE("numbers have the reader's decimal mark, and points part their coordinates clearly",
+          "[words]") {
+  const Units units;
+  CHECK(load_in_words(16.6667, 16.6667, units) == "16.7\u00A0kg");
+  const Spoken german{{".", ","}, {"({x}, {y})", "({x}; {y})"}};
+  CHECK(fixed(-1234.5, 2) == "−1234,50");
+  CHECK(plain(0.8) == "0,8");
+  CHECK(significant(0.001666, 2) == "0,0017");
+  CHECK(amount(16.66, 16.66, Toward::up) == "16,7");
+  CHECK(load_in_words(15.2, 18.1, 18.1, units) == "15,2–18,1\u00A0kg");
+  CHECK(percentage(0.0004, 1) == "<\u00A00,1\u00A0%");
+  CHECK(ratio_in_words(1) == "1,000");
+  CHECK(point_in_words(Vec2(403.8, -480), 1) == "(403,8; −480,0)");
+  CHECK(given_point(Vec2(3.5, 2)) == "(3,5; 2)");
+}
+
+TEST_CASE("what a user typed is not translated", "[words]") {
+  const Spoken german{{"area", "Fläche"}};
+  CHECK(translated("area") == "Fläche");
+  {
+    const AsTyped typed;
+    CHECK(translated("area") == "area");
+  }
+  CHECK(translated("area") == "Fläche");
+}

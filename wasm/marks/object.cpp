@@ -9,6 +9,7 @@
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/output/words.h"
 #include "evenlift/plane.h"
+#include "evenlift/wording.h"
 #include "tools/pick.h"
 #include "ui/icons.h"
 #include "ui/theme.h"
@@ -69,6 +70,7 @@ std::vector<CargoLabel> cargo_labels(const CanvasView& view, Occupied& occupied)
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < cargo.size(); ++i) {
     if (!view.window.contains(discs[i].middle)) continue;
+    const AsTyped typed;
     texts.push_back(label_of(cargo[i], shown(view.state).units));
     const ImVec2 text = text_size(Face::label, texts.back());
     requests.push_back(
@@ -102,6 +104,7 @@ void draw_cargo(const Painter& painter, const CanvasView& view) {
   for (const auto& [box, text] : labels_of_cargo(view)) {
     painter.list().AddRectFilled(vec(box.left, box.top), vec(box.right, box.bottom),
                                  view.theme.panel.at(0.88f).packed(), 6);
+    const AsTyped typed;
     draw_text(painter.list(), Face::label, vec(box.left + 5, box.top + 2), view.theme.text, text);
   }
 }

@@ -14,8 +14,11 @@
 #include "evenlift/output/json_text.h"
 #include "evenlift/output/trace_words.h"
 #include "evenlift/placement.h"
+#include "evenlift/report.h"
 #include "evenlift/trace.h"
+#include "evenlift/uncertainty.h"
 #include "evenlift/wording.h"
+#include "modules/cases.h"
 #include "modules/handout_paper.h"
 #include "modules/kinds.h"
 
@@ -129,6 +132,13 @@ std::string holes_json(const Paper& paper, const Placement& placement) {
   return json::array(holes);
 }
 
+// The cases of loading, if anything is given that they show.
+std::string cases_of(const Placement& placement, const Shown& shown) {
+  const Reported of(placement, shown);
+  const bool is_given = disturbance_of(of.shown).any() || of.report.has_capacities;
+  return is_given && cases_fit_on_paper(placement) ? table_of_cases(of) : "null";
+}
+
 }  // namespace
 
 // Returns the steps of this lesson for a link's document; without a lesson, the main steps. Places
@@ -141,6 +151,7 @@ std::string holes_json(const Paper& paper, const Placement& placement) {
 //     base, candidates, teams   known at this step
 //     figures                   kind, number, points, and `value`, such as a radius
 //     robots, words             known at this step: number or text, at
+//   cases                   of loading (cases.h), without a lesson; null if nothing is given for them
 //   question, answer        of a lesson that has them
 //   problem                 a sentence, instead of all the above
 std::string handout(const RequestMembers& members) {
@@ -165,6 +176,7 @@ std::string handout(const RequestMembers& members) {
                        {"own_centre", json::pair(paper(placement->own_centre))},
                        {"centre", json::pair(paper(trace->centre))},
                        {"steps", json::array(steps)},
+                       {"cases", lesson ? "null" : cases_of(*placement, document->shown)},
                        {"question", json::text(asks ? lesson->question : "")},
                        {"answer", json::text(asks ? lesson->answer : "")}});
 }

@@ -47,9 +47,8 @@ std::string results(const RequestMembers& members);
 // sentences, and a picture of each row as SVG. {"problem"}: why there is nothing to compare.
 std::string optimum(const RequestMembers& members);
 
-// link. The loads in each case of loading, for paper: {"said", "headings", "rows", "worst", "svg"}:
-// sentences, the table's texts, the index of the worst row, and the picture. {"problem"}: why there is
-// none.
+// link. The loads in each case of loading, for paper: {"said", "table", "svg"}: sentences, the table
+// (cases.h), and the picture. {"problem"}: why there is none.
 std::string cases(const RequestMembers& members);
 
 // text, tolerance: the greatest distance between curves and edges, or 0 for the default. Reads a

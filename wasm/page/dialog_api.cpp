@@ -63,8 +63,6 @@ std::optional<double> typed_number(std::string_view text, std::string& problem) 
   if (value) return value;
   if (text.empty())
     problem = say("A number is missing");
-  else if (text.find(',') != std::string_view::npos)
-    problem = say("Write decimals with a point, not a comma: 2.5");
   else
     problem = say("“{text}” is not a number", {text.substr(0, 40)});
   return std::nullopt;

@@ -122,7 +122,10 @@ void draw_answers(const Ui& ui, const Faces& faces) {
 void draw_words(const Ui& ui, const Faces& faces) {
   const Walkthrough& walk = ui.state.view.walkthrough;
   const std::string words = words_of_stop(ui.state);
-  if (!words.empty()) text_block(faces.words, ui.theme.text, words);
+  if (!words.empty()) {
+    const AsTyped typed;
+    text_block(faces.words, ui.theme.text, words);
+  }
   // Before an audience, a step without its formula shows only the lesson's words.
   const bool once = ui.state.view.presenting && !words.empty() && !ui.state.view.formal_open;
   if (!walk.caption.empty() && !once)

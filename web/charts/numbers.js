@@ -1,4 +1,5 @@
 // Numbers as the program writes them (core/include/evenlift/output/words.h).
+import { asRead } from "../words/numbers.js";
 
 // Rounds the shortest decimal that reads back to the number to the nearest, a half away from zero. So 2.345 is "2.35",
 // although its double is a little less; toFixed() would give "2.34". For sizes below 10^15.
@@ -11,4 +12,4 @@ export function fixed(value, decimals) {
 
 // Shares are percentages.
 export const inUnit = ({ unit }, value) => (unit === "%" ? 100 * value : value);
-export const inDigits = (figure, value) => fixed(inUnit(figure, value), figure.unit === "%" ? 1 : 2);
+export const inDigits = (figure, value) => asRead(fixed(inUnit(figure, value), figure.unit === "%" ? 1 : 2));

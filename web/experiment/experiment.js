@@ -1,9 +1,10 @@
 // The window that compares the methods, on the open polygon or on many, as chapter 5 of the thesis does.
 import { runExperiment } from "./worker_pool.js";
 import { ensureStyles, openWindow, problemLine } from "../kit/dialogs.js";
-import { button, download, el, number } from "../kit/elements.js";
+import { button, download, el } from "../kit/elements.js";
 import { showResults } from "./experiment_results.js";
 import { ownFiles, samples, thesisLike, thisPolygon } from "./experiment_sources.js";
+import { asRead, number } from "../words/numbers.js";
 import { say, translated } from "../words/words.js";
 
 // As in `evenlift experiment`.
@@ -238,7 +239,7 @@ class ExperimentWindow {
       const mostTeams = this.most.valueAsNumber;
       const measured = say(
         "This polygon at a minimum load ratio of {minRatio} and a weight of {weight} {unit}, with up to one team for each candidate, at most {most}.",
-        { minRatio, weight: number(weight), unit: weightUnit, most: number(mostTeams) },
+        { minRatio: asRead(String(minRatio)), weight: number(weight), unit: weightUnit, most: number(mostTeams) },
       );
       const asPoints = points
         ? []

@@ -1,7 +1,8 @@
 // The results are described in evenlift/experiment/outputs.h.
 import { methods } from "../charts/methods.js";
-import { el, number } from "../kit/elements.js";
+import { el } from "../kit/elements.js";
 import { figureTable } from "./figure_table.js";
+import { number } from "../words/numbers.js";
 import { say, translated } from "../words/words.js";
 
 const wide = (label, content) =>

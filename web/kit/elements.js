@@ -1,4 +1,5 @@
 import { ofWindows, shared } from "./icons.js";
+import { readings, withPoint } from "../words/numbers.js";
 import { translated } from "../words/words.js";
 
 const svgSpace = "http://www.w3.org/2000/svg";
@@ -71,9 +72,8 @@ export const unbroken = (text) => text.replace(/(?<=\d) (?=%)/g, "\u00a0");
 export const paragraphs = (text, attributes = {}) =>
   text ? text.split("\n").map((line) => el("p", attributes, unbroken(translated(line)))) : [];
 
-export const number = (value) => value.toLocaleString("en");
-
-// Allows a decimal comma; NaN for any other text.
+// NaN for a text that is no number, or may be two (readings()).
 export function typedNumber(text) {
-  return text.trim() ? Number(text.trim().replace(",", ".")) : NaN;
+  const typed = text.trim();
+  return typed && !readings(typed) ? Number(withPoint(typed)) : NaN;
 }

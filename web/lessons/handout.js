@@ -1,5 +1,6 @@
 // A lesson on paper: its steps as pictures with captions, six to a page, computed by a worker (wasm/modules/handout.cpp)
 // and drawn by handout_picture.js.
+import { casesTable } from "../kit/cases_table.js";
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, paragraphs, unbroken } from "../kit/elements.js";
 import { qrCode } from "../kit/qr_code.js";
@@ -47,6 +48,10 @@ function questionOf({ question, answer }) {
   ];
 }
 
+function casesOf({ cases }) {
+  return cases ? [el("section", {}, el("h3", {}, "All cases of loading"), casesTable(cases))] : [];
+}
+
 // In words and as QR code, as far as it fits.
 const longestPrinted = 300; // characters that a student might type, or compare
 async function wayBack(address) {
@@ -83,7 +88,7 @@ function subjectOf(program, link) {
   const steps = async () => {
     const handout = await askOnce({ command: "handout", link, lesson: lesson?.text ?? "" });
     const figures = handout.steps.map((step) => figureOf(handout, step));
-    return [...legend(handout), el("div", { class: "steps" }, ...figures), ...questionOf(handout)];
+    return [...legend(handout), el("div", { class: "steps" }, ...figures), ...casesOf(handout), ...questionOf(handout)];
   };
   if (lesson) return { title: titleOf(lesson.text), about: "It shows the steps of the open lesson.", make: steps };
   const task = program.json("page_task");

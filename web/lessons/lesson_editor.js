@@ -1,8 +1,9 @@
 // The text is in a window beside the canvas, which shows the lesson at the step of the cursor. Mistakes are reported
 // with their line during typing.
 import { makeRoom, openWindow, problemLine } from "../kit/dialogs.js";
-import { button, download, el, number } from "../kit/elements.js";
+import { button, download, el } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
+import { number } from "../words/numbers.js";
 import { lowered, say, translated } from "../words/words.js";
 import { lasting, ofThisTab, read, write } from "../page/storage.js";
 import { unreadable } from "../page/lesson_text.js";

@@ -1,7 +1,7 @@
 // Tracks the open lesson, and shows the card at its end: the result of the guesses, a question, and the next lesson.
 import { closingButton, openCard } from "../kit/card.js";
 import { button, el, paragraphs } from "../kit/elements.js";
-import { say, translated } from "../words/words.js";
+import { asTyped, say, translated } from "../words/words.js";
 import { isLessonLink } from "../page/address.js";
 import { lasting, read, write } from "../page/storage.js";
 import { underWay } from "../page/under_way.js";
@@ -130,7 +130,7 @@ function foldButton(of) {
 function toNext({ title }, act) {
   const go = closingButton("", { class: "button primary", title }, act);
   go.append(
-    el("span", { class: "whole" }, say("Next: {title}", { title })),
+    el("span", { class: "whole" }, say("Next: {title}", { title: asTyped(title) })),
     el("span", { class: "short" }, "Next lesson"),
   );
   return go;

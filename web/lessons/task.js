@@ -1,7 +1,7 @@
 // A lesson's task: its goals, with ticks that follow every change.
 import { closingButton, openCard } from "../kit/card.js";
 import { button, el, icon, paragraphs } from "../kit/elements.js";
-import { say, translated } from "../words/words.js";
+import { asTyped, say, translated } from "../words/words.js";
 import { learnersNumber } from "../page/address.js";
 
 // `again(number)` opens another learner's task; `done` is called when the task is done for the first time.
@@ -110,7 +110,7 @@ export async function show(page, { again, done }) {
       ? state.textContent
       : notAllowed
         ? say("You changed {what}, which this task does not allow. Undo brings it back.", { what: notAllowed })
-        : say("{title}: {met} of {goals}", { title: begun.title, met, goals: goals.length });
+        : say("{title}: {met} of {goals}", { title: asTyped(begun.title), met, goals: goals.length });
     card.root.classList.toggle("done", kept);
     copy.classList.toggle("primary", kept);
     if (kept && !celebrated) {

@@ -1,4 +1,5 @@
 // An entry is { element, control }.
+import { asRead } from "../words/numbers.js";
 import { plainValue } from "./typed.js";
 
 function button(entry, actions) {
@@ -32,7 +33,7 @@ function field(entry, actions) {
     previewed = false;
   const begin = () => {
     previewed = false;
-    before = element.value = entry.control.exact || plainValue(entry.control.value);
+    before = element.value = entry.control.exact ? asRead(entry.control.exact) : plainValue(entry.control.value);
     element.removeAttribute("aria-invalid");
     element.select();
   };

@@ -1,4 +1,5 @@
 // Numbers as users type them, and as the program reads them (core/include/evenlift/settings.h).
+import { readings, typedForm, withPoint } from "../words/numbers.js";
 import { say, translated } from "../words/words.js";
 
 // The value to type over: "437 kg" becomes "437", and "(12.4, −3)" "12.4, -3".
@@ -9,13 +10,12 @@ export function plainValue(shown) {
   return /^[-\d.]/.test(text) ? text.split(" ")[0].replace(/°$/, "") : text;
 }
 
-const number = String.raw`[-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][-+]?\d+)?`;
 const unit = "kg|t|N|lb|m|cm|mm|in";
-const one = new RegExp(`^(${number})(?:\\s*(?:(${unit})|×|°))?$`);
-const two = new RegExp(`^\\(?\\s*(${number})\\s*(?:[;,]\\s+|;|\\s+)\\s*(${number})\\s*\\)?$`);
+const one = new RegExp(`^(${typedForm})(?:\\s*(?:(${unit})|×|°))?$`);
+const two = new RegExp(`^\\(?\\s*(${typedForm})\\s*(?:[;,]\\s+|;|\\s+)\\s*(${typedForm})\\s*\\)?$`);
 const twoWithComma = /^\(?\s*([-+]?[\d.eE+-]+)\s*,\s*([-+]?[\d.eE+-]+)\s*\)?$/;
 const twoWithUnits = new RegExp(
-  `^\\(?\\s*(${number})\\s*(${unit})(?:\\s*[;,]\\s*|\\s+)(${number})\\s*(${unit})\\s*\\)?$`,
+  `^\\(?\\s*(${typedForm})\\s*(${unit})(?:\\s*[;,]\\s*|\\s+)(${typedForm})\\s*(${unit})\\s*\\)?$`,
 );
 
 // In mm and in kg, each as a fraction so that nothing is rounded here. 1 kg weighs 9.80665 N.
@@ -25,8 +25,6 @@ const kinds = [
 ];
 const kindOf = (unit) => kinds.find(({ units }) => Object.hasOwn(units, unit));
 
-const point = (text) => text.replace(",", ".");
-
 // The "mm" of "20 mm"; "" without a unit.
 export function unitOf(shown) {
   return new RegExp(`\\d\\s(${unit})$`).exec(shown)?.[1] ?? "";
@@ -34,41 +32,31 @@ export function unitOf(shown) {
 
 // Undefined if the field has no unit or one of another kind.
 function converted(typed, from, to) {
-  if (from === to) return point(typed);
+  if (from === to) return withPoint(typed);
   const { units } = kindOf(from);
   if (!Object.hasOwn(units, to)) return undefined;
   const [times, by] = units[from],
     [per, of] = units[to];
   // As exact as the typed number, with at least nine digits: 200 N are 20.3943243 kg, and 20 does not become
   // 20.000000000000004.
-  const digits = point(typed).replace(/e.*$/i, "").replace(/\D/g, "").replace(/^0+/, "").length;
+  const digits = withPoint(typed).replace(/e.*$/i, "").replace(/\D/g, "").replace(/^0+/, "").length;
   return String(
-    Number(((Number(point(typed)) * times * of) / (by * per)).toPrecision(Math.min(12, Math.max(9, digits)))),
+    Number(((Number(withPoint(typed)) * times * of) / (by * per)).toPrecision(Math.min(12, Math.max(9, digits)))),
   );
 }
 
 const tidied = (typed) => typed.replaceAll("−", "-").replaceAll("\u00A0", " ").trim();
 
-const grouped = /^[-+]?[1-9]\d{0,2}(?:,\d{3})+(?:\s*[a-z]+)?$/i;
-const strange = new RegExp(`^${number}\\s*([A-Za-zµ"'′″]+)$`);
+const strange = new RegExp(`^${typedForm}\\s*([A-Za-zµ"'′″]+)$`);
 
-// Why a number cannot be set: the unit after it, or a comma that may separate thousands. A sentence without its full
+// Why a number cannot be set: the unit after it, or a mark that may part thousands or decimals. A sentence without its full
 // stop; "" for neither. `setting` and `own` are as below; `isLength` marks a length, even without a unit.
 export function typedProblem(typed, setting, own, isLength) {
   const text = tidied(typed);
   if (["no_go", "readings", "readings_tilted", ...ratios].includes(setting)) return "";
-  if (setting !== "com" && grouped.test(text)) {
-    const digits = text.replace(/\s*[a-z]+$/i, ""),
-      whole = digits.replaceAll(",", ""),
-      groups = digits.split(",").length;
-    return groups > 2
-      ? say("“{text}” has commas between its digits: type {whole}", { text, whole })
-      : say("“{text}” may mean {whole} or {decimal}: type one of these", {
-          text,
-          whole,
-          decimal: digits.replace(",", "."),
-        });
-  }
+  const [, bare] = one.exec(text) ?? [],
+    doubt = setting !== "com" && bare && readings(bare);
+  if (doubt) return say("“{text}” may mean {whole} or {decimal}: type one of these", { text, ...doubt });
   const unknown = one.test(text) ? undefined : strange.exec(text)?.[1];
   if (unknown)
     return say(
@@ -98,8 +86,8 @@ const inEnglish = (text) =>
   known.find((word) => translated(word) !== word && translated(word).toLowerCase() === text.toLowerCase()) ?? text;
 
 function slopeValue(text) {
-  const bare = new RegExp(`^${number}$`).test(text);
-  return `${point(text)}${bare ? "%" : ""}`;
+  const bare = new RegExp(`^${typedForm}$`).test(text);
+  return `${withPoint(text)}${bare ? "%" : ""}`;
 }
 
 // A number may have a unit and a decimal comma; a comma, a semicolon or a space separates two numbers. `own` is the
@@ -118,12 +106,12 @@ export function settingValue(typed, setting = "", own = "") {
   if (setting === "capacity" && text.toLowerCase() === "no limit") return "none";
   // A number without a unit has the one that is shown.
   if (setting.startsWith("readings")) return text.replaceAll(";", " ");
-  if (setting === "heading") return twoWithComma.test(text) ? text.replaceAll(" ", "") : point(text);
-  if (ratios.includes(setting)) return percents.includes(setting) ? slopeValue(text) : point(text);
+  if (setting === "heading") return twoWithComma.test(text) ? text.replaceAll(" ", "") : withPoint(text);
+  if (ratios.includes(setting)) return percents.includes(setting) ? slopeValue(text) : withPoint(text);
   const single = setting === "com" ? null : one.exec(text); // here "10,20" means two numbers
-  if (single) return single[2] ? (converted(single[1], single[2], own) ?? text) : point(single[1]);
+  if (single) return single[2] ? (converted(single[1], single[2], own) ?? text) : withPoint(single[1]);
   const pair = two.exec(text);
-  if (pair) return `${point(pair[1])},${point(pair[2])}`;
+  if (pair) return `${withPoint(pair[1])},${withPoint(pair[2])}`;
   const plain = twoWithComma.exec(text);
   if (plain) return `${plain[1]},${plain[2]}`;
   const pairWithUnits = twoWithUnits.exec(text);

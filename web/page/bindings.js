@@ -1,4 +1,5 @@
 // Functions that the program calls (wasm/page/sdl_input.cpp), and functions of the page for its windows.
+import { number } from "../words/numbers.js";
 import { say, translated } from "../words/words.js";
 import { isLessonLink, linkIn, readAddress, withLesson, withPlaces } from "./address.js";
 import { createChoosing } from "./choosing.js";
@@ -299,9 +300,12 @@ export class Bindings {
       ? ["It holds the polygon, all settings and the whole lesson.", "The lesson’s file holds the same."]
       : ["It holds the polygon and all settings.", "The JSON file in Save holds the same."];
     const holds = lacking.filter(Boolean).join(" ") || translated(all);
-    const [number, most] = [url.length, longLink].map((count) => count.toLocaleString("en"));
-    if (url.length < longLink) return `${holds} ${say("It has {number} characters.", { number })}`;
-    const cut = say("It has {number} characters: some programs cut links of {most} or more.", { number, most });
+    const [characters, most] = [url.length, longLink].map(number);
+    if (url.length < longLink) return `${holds} ${say("It has {number} characters.", { number: characters })}`;
+    const cut = say("It has {number} characters: some programs cut links of {most} or more.", {
+      number: characters,
+      most,
+    });
     return `${holds} ${cut} ${translated(instead)}`;
   }
 

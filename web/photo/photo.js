@@ -2,7 +2,8 @@
 // is never uploaded, is in no link or file, and is gone with the page.
 import { closingButton, openCard } from "../kit/card.js";
 import { closeWindows, ensureStyles } from "../kit/dialogs.js";
-import { button, el, number, typedNumber } from "../kit/elements.js";
+import { button, el, typedNumber } from "../kit/elements.js";
+import { number } from "../words/numbers.js";
 import { say, translated } from "../words/words.js";
 import { twoPoints } from "./two_points.js";
 

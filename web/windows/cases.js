@@ -1,30 +1,9 @@
 // The loads in each case of loading, as a table to print and to sign. A worker computes it (wasm/modules/cases.cpp).
+import { casesTable } from "../kit/cases_table.js";
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, unbroken } from "../kit/elements.js";
 import { askOnce } from "../page/core.js";
 import { say } from "../words/words.js";
-
-function table({ headings, rows, worst }) {
-  const cells = (texts, kind) => texts.map((text) => el(kind, {}, unbroken(text)));
-  return el(
-    "table",
-    { class: "numbers cases" },
-    el("thead", {}, el("tr", {}, ...cells([...headings, ""], "th"))),
-    el(
-      "tbody",
-      {},
-      ...rows.map(([name, ...values], i) =>
-        el(
-          "tr",
-          { class: i === worst ? "worst" : "" },
-          el("th", { scope: "row" }, unbroken(name)),
-          ...cells(values, "td"),
-          el("td", {}, i === worst ? "worst" : ""),
-        ),
-      ),
-    ),
-  );
-}
 
 export async function show(page) {
   const { program } = page;
@@ -49,7 +28,7 @@ export async function show(page) {
     const found = await askOnce({ command: "cases", link }, stop.signal);
     pages.replaceChildren(
       el("h2", { class: "paper-title" }, "All cases of loading"),
-      table(found),
+      casesTable(found.table),
       ...found.said.map((text) => el("p", {}, unbroken(text))),
       el("img", {
         class: "paper-task",

@@ -1,7 +1,8 @@
 // Somebody places robots on an object, and only then sees evenlift's. The card stays over the canvas, where the robots
 // are dragged; the loads and the score follow.
 import { openCard } from "../kit/card.js";
-import { button, el, number } from "../kit/elements.js";
+import { button, el } from "../kit/elements.js";
+import { number } from "../words/numbers.js";
 import { say, translated } from "../words/words.js";
 
 const asks = { 3: "three", 4: "four", 5: "five", 6: "six", 7: "seven", 8: "eight", 9: "nine" };
@@ -122,7 +123,8 @@ function bests(scores) {
 }
 
 // A number as another text shows its number, with as many decimals; without such a text, with three digits.
-const shownLike = (value, text) => (text ? value.toFixed(/\.(\d+)/.exec(text)?.[1].length ?? 0) : value.toPrecision(3));
+const shownLike = (value, text) =>
+  text ? value.toFixed(/[.,](\d+)/.exec(text)?.[1].length ?? 0) : value.toPrecision(3);
 
 // The sender's score comes from an address, so it is only claimed.
 function toBeat(program, place, [most, spread, covered, held], mine) {

@@ -1,7 +1,8 @@
 // Opens texts, files and links from outside. Functions that open something return why it was refused, or undefined.
 import { closeWindows, openWindow, problemLine } from "../kit/dialogs.js";
-import { button, el, number } from "../kit/elements.js";
+import { button, el } from "../kit/elements.js";
 import { readShapes, textOf } from "../kit/import.js";
+import { number } from "../words/numbers.js";
 import { lowered, say, translated } from "../words/words.js";
 import { nameOpened, openedName, stemOf } from "./document_name.js";
 import { openLessonText, openLinkedLesson } from "../lessons/lesson_source.js";

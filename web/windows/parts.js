@@ -1,8 +1,9 @@
 // All shapes of a file, each with robots of its own: a table that is sorted by a press on a heading, whose rows open.
 import { openWindow, problemLine } from "../kit/dialogs.js";
-import { button, download, el, number } from "../kit/elements.js";
+import { button, download, el } from "../kit/elements.js";
 import { askOnce } from "../page/core.js";
-import { say, translated } from "../words/words.js";
+import { asRead, number, withPointIn } from "../words/numbers.js";
+import { asTyped, say, translated } from "../words/words.js";
 import { lengthUnit, smallPicture } from "./shapes.js";
 
 const atOnce = 200; // rows before "Show more"
@@ -34,7 +35,7 @@ const inOrder =
     return ((one ?? -Infinity) - (other ?? -Infinity)) * (ascends ? 1 : -1);
   };
 
-const short = (value) => String(Number(value.toPrecision(4)));
+const short = (value) => asRead(String(Number(value.toPrecision(4))));
 
 // The typed texts; a decimal comma is read as a point.
 function fields() {
@@ -104,7 +105,7 @@ class Parts {
     this.end();
     this.#stop = new AbortController();
     const { signal } = this.#stop;
-    const typed = Object.entries(this.fields).map(([name, { input }]) => [name, input.value.trim().replace(",", ".")]);
+    const typed = Object.entries(this.fields).map(([name, { input }]) => [name, withPointIn(input.value.trim())]);
     this.#rows = [];
     this.#shown = atOnce;
     this.problem.say("");
@@ -236,7 +237,7 @@ class Parts {
 
   #open(part) {
     const { what, open } = this.#source;
-    const refused = open(part.open, say("{name} of {what}", { name: part.name, what }));
+    const refused = open(part.open, say("{name} of {what}", { name: asTyped(part.name), what }));
     this.problem.say(refused);
     if (!refused) this.root.close();
   }

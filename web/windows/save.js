@@ -1,6 +1,7 @@
 // Share and save: the link, its QR code, and files.
 import { openWindow, problemLine } from "../kit/dialogs.js";
-import { button, download, el, icon, number, rasterise } from "../kit/elements.js";
+import { button, download, el, icon, rasterise } from "../kit/elements.js";
+import { number } from "../words/numbers.js";
 import { say, translated } from "../words/words.js";
 import { documentName } from "./document_name.js";
 import { showQr } from "./qr.js";

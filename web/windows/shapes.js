@@ -1,8 +1,9 @@
 // Shows the shapes of a drawing, of which one is opened, and the permitted distance between its curves and edges.
 import { openWindow, problemLine } from "../kit/dialogs.js";
-import { button, el, number, svgEl, typedNumber } from "../kit/elements.js";
+import { button, el, svgEl, typedNumber } from "../kit/elements.js";
 import { fitted, lineOf, pathOf } from "../kit/fit.js";
 import { readShapes } from "../kit/import.js";
+import { asRead, number } from "../words/numbers.js";
 import { say, translated } from "../words/words.js";
 import { underWay } from "../page/under_way.js";
 
@@ -169,8 +170,9 @@ export async function showShapes({ what, text, found, tolerance = 0, choose, all
     const flattened = found.shapes.filter((shape) => shape.tolerance).map((shape) => shape.tolerance);
     form.hidden = flattened.length === 0;
     const [least, most] = [Math.min(...flattened), Math.max(...flattened)];
-    curves.value = least === most ? String(least) : "";
-    curves.placeholder = least === most ? "" : say("{least} to {most}", { least, most });
+    curves.value = least === most ? asRead(String(least)) : "";
+    curves.placeholder =
+      least === most ? "" : say("{least} to {most}", { least: asRead(String(least)), most: asRead(String(most)) });
     said.textContent = say("of the curves, in {unit}", { unit: lengthUnit(found) });
   }
   async function readAgain() {
@@ -196,7 +198,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose, all
   }
   connectKeys(list);
   fill();
-  if (tolerance) curves.value = String(tolerance);
+  if (tolerance) curves.value = asRead(String(tolerance));
   const table = button("All in a table …", {
     onclick: () => {
       root.close();

@@ -3,6 +3,7 @@
 import { makeRoom, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el } from "../kit/elements.js";
 import { say, translated } from "../words/words.js";
+import { asRead } from "../words/numbers.js";
 import { settingValue, typedProblem } from "../mirror/typed.js";
 import { show as openText } from "./open.js";
 import { underWay } from "../page/under_way.js";
@@ -355,7 +356,7 @@ class Table {
     const pointed = program.number(list.pointed);
     program.json(list.read, this.#from, shown).forEach((values, i) => {
       const { row, inputs, remove, load, vertex } = this.#rows[i];
-      if (list === lists.robots) values[2] = this.#readings.get(vertex) ?? values[2];
+      if (list === lists.robots && this.#readings.has(vertex)) values[2] = asRead(this.#readings.get(vertex));
       write(inputs, values.slice(0, inputs.length), list.digits);
       if (load) load.textContent = values[inputs.length];
       row.className = vertex === selected ? "selected" : vertex === pointed ? "hovered" : "";
@@ -473,19 +474,19 @@ class Table {
   }
 }
 
-// At most this number of digits until the field gets the focus; its value stays exact.
-const rounded = (value, digits) =>
-  value.length > digits + 2 && Number.isFinite(Number(value))
-    ? String(Number(Number(value).toPrecision(digits - 1)))
-    : value;
+// A number with at most this many digits, until its field gets the focus; its value stays exact.
+const rounded = (text, digits) =>
+  text.length > digits + 2 ? String(Number(Number(text).toPrecision(digits - 1))) : text;
 
 // Skips a field that is being typed in.
-function write(inputs, point, digits) {
-  point.map(String).forEach((value, axis) => {
-    const input = inputs[axis];
+function write(inputs, values, digits) {
+  values.forEach((given, axis) => {
+    const input = inputs[axis],
+      isNumber = typeof given === "number",
+      value = isNumber ? asRead(String(given)) : given;
     if (input.dataset.is === value) return;
     const untouched = !input.dataset.is || input.value === input.dataset.is || input.value === input.dataset.shown;
-    input.dataset.shown = rounded(value, digits);
+    input.dataset.shown = isNumber ? asRead(rounded(String(given), digits)) : value;
     if (untouched) {
       input.value = document.activeElement === input ? value : input.dataset.shown;
       input.removeAttribute("aria-invalid");

@@ -15,12 +15,23 @@ export function translated(english) {
   return words && Object.hasOwn(words, english) ? words[english] : english;
 }
 
+class AsTyped {
+  constructor(text) {
+    this.text = text;
+  }
+}
+
+// A value that a user typed, which say() does not translate.
+export const asTyped = (text) => new AsTyped(text);
+
 // The translated pattern, with each {name} replaced by its value: say("Robot {robot}", { robot: 3 }). Values that are
-// texts are also translated.
+// texts are also translated, unless they are as typed.
 export function say(english, values = {}) {
-  return translated(english).replace(/\{(\w+)\}/g, (whole, name) =>
-    Object.hasOwn(values, name) ? translated(String(values[name])) : whole,
-  );
+  return translated(english).replace(/\{(\w+)\}/g, (whole, name) => {
+    if (!Object.hasOwn(values, name)) return whole;
+    const value = values[name];
+    return value instanceof AsTyped ? value.text : translated(String(value));
+  });
 }
 
 // As after a colon: in English with a small letter.

@@ -26,6 +26,20 @@ void forget_translations();
 // O(log n).
 std::string_view translated(std::string_view english);
 
+// A number that is written with a point, as the reader writes it: with the translation of "." in its
+// place. O(bytes).
+std::string as_read(std::string number);
+
+// While one exists, translated() returns each text itself, for texts that users typed: a weight
+// that is named "area" keeps its name in every language. Not thread-safe.
+class AsTyped {
+ public:
+  AsTyped();
+  ~AsTyped();
+  AsTyped(const AsTyped&) = delete;
+  AsTyped& operator=(const AsTyped&) = delete;
+};
+
 // A value in a sentence: a whole number or a text, which is also translated. A Value does not own
 // its text, so use it only in the call for which it is made.
 class Value {

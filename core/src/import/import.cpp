@@ -115,7 +115,7 @@ std::optional<std::string> collected(std::string_view text) {
 
 // "8.5417° E".
 std::string degrees_in_words(double degrees, const char* positive, const char* negative) {
-  return say(degrees < 0 ? negative : positive, {shortest(std::abs(degrees))});
+  return say(degrees < 0 ? negative : positive, {as_read(shortest(std::abs(degrees)))});
 }
 
 std::string projection_note(const Projection& projection) {
@@ -133,7 +133,7 @@ std::string projection_note(const Projection& projection) {
       "the coordinates were converted from degrees to metres east and north of {longitude}, "
       "{latitude}; widths are off by up to {error}\u00A0%, since the shapes are so far apart or so "
       "large",
-      {longitude, latitude, shortest(std::ceil(1000 * projection.error()) / 10)});
+      {longitude, latitude, as_read(shortest(std::ceil(1000 * projection.error()) / 10))});
 }
 
 Result<Import> projected(Import import) {

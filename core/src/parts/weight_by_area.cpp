@@ -82,7 +82,7 @@ std::optional<InputError> set_weight(Document& document, const WeightByArea& wei
   if (is_in_range(Setting::weight, document.settings.weight)) return std::nullopt;
   return bad_setting(weight.per_area ? per_area_name : "density",
                      say("this makes a weight of {weight}; it must be from 1e-100 to 1e100",
-                         {shortest(document.settings.weight)}));
+                         {as_read(shortest(document.settings.weight))}));
 }
 
 std::optional<InputError> doubtful_unit(const WeightByArea& weight, const Units& units) {

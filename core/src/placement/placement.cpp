@@ -200,10 +200,11 @@ InputError with_hint(InputError error, const PolygonWithHoles& object, const Vec
   const auto robots = requested_robots(settings);
   const auto less = robots ? accuracy_with_room(object, centre, settings) : std::nullopt;
   if (!less) return error;
-  return setting_error(Setting::accuracy,
-                       say("no edge has room for robots that may be off by {accuracy}; with "
-                           "{less} there is room for {robots}",
-                           {shortest(*settings.accuracy), shortest(*less), *robots}));
+  return setting_error(
+      Setting::accuracy,
+      say("no edge has room for robots that may be off by {accuracy}; with "
+          "{less} there is room for {robots}",
+          {as_read(shortest(*settings.accuracy)), as_read(shortest(*less)), *robots}));
 }
 
 bool is_short(const Placement& placement) {

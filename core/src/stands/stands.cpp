@@ -183,9 +183,10 @@ InputError no_room(const Settings& settings) {
        "no edge has room for a robot of radius {radius} and reach {reach}, with a hand of depth "
        "{depth} and width {width}"}};
   std::vector<std::string> sizes;
-  if (body) sizes.push_back(shortest(robot.radius));
-  if (arm) sizes.push_back(shortest(robot.reach));
-  if (hand) sizes.insert(sizes.end(), {shortest(robot.depth), shortest(robot.width)});
+  if (body) sizes.push_back(as_read(shortest(robot.radius)));
+  if (arm) sizes.push_back(as_read(shortest(robot.reach)));
+  if (hand)
+    sizes.insert(sizes.end(), {as_read(shortest(robot.depth)), as_read(shortest(robot.width))});
   const char* message = body ? messages[arm ? 1 : 0][hand ? 1 : 0]
                              : "no edge has room for a hand of depth {depth} and width {width}";
   return setting_error(Setting::robot, say_written(message, sizes.data(), sizes.size()));
@@ -222,9 +223,9 @@ Result<std::shared_ptr<const Stands>> make_stands(const PolygonWithHoles& object
   auto stands = std::make_shared<const Stands>(object, settings.robot, settings.no_go, reserve);
   if (!stands->any() && settings.method != Method::given) return no_room(settings);
   if (!stands->any_usable() && settings.method != Method::given)
-    return setting_error(
-        Setting::accuracy,
-        say("no edge has room for robots that may be off by {accuracy}", {shortest(accuracy)}));
+    return setting_error(Setting::accuracy,
+                         say("no edge has room for robots that may be off by {accuracy}",
+                             {as_read(shortest(accuracy))}));
   return std::shared_ptr<const Stands>(std::move(stands));
 }
 

@@ -43,15 +43,17 @@ std::string rounded(double distance, std::uint64_t below, Rounding rounding) {
   return shortest(read_number(text).value_or(distance));
 }
 
-std::string in_brief(double distance) { return rounded(distance, 1000, Rounding::nearest); }
+std::string in_brief(double distance) {
+  return as_read(rounded(distance, 1000, Rounding::nearest));
+}
 
 std::string in_brief(const Vec2& point) {
   const auto coordinate = [](double value) {
     constexpr std::uint64_t six_digits = 1000000;
     const std::string size = rounded(std::abs(value), six_digits, Rounding::nearest);
-    return value < 0 ? "-" + size : size;
+    return as_read(value < 0 ? "-" + size : size);
   };
-  return "(" + coordinate(point.x) + ", " + coordinate(point.y) + ")";
+  return say("({x}, {y})", {coordinate(point.x), coordinate(point.y)});
 }
 
 // A snap distance of one digit that is at least this.

@@ -83,10 +83,11 @@ Result<Balance> balance_of(const Points& supports, const std::vector<double>& re
   const std::vector<double> errors = errors_of(readings, error);
   found.weight_error = sum_of(errors);
   if (!(found.weight_error < found.weight))
-    return setting_error(Setting::reading_error,
-                         say("the readings may be off by {error} in all, as much as they read, "
-                             "{weight}: then nothing is known",
-                             {shortest(found.weight_error), shortest(found.weight)}));
+    return setting_error(
+        Setting::reading_error,
+        say("the readings may be off by {error} in all, as much as they read, "
+            "{weight}: then nothing is known",
+            {as_read(shortest(found.weight_error)), as_read(shortest(found.weight))}));
   // About the first support: coordinates may be far larger than distances.
   const Vec2& origin = supports.front();
   Vec2 moment;
@@ -193,7 +194,7 @@ Result<Weighing> weigh(const Points& supports, const Settings& settings, double 
     return setting_error(
         Setting::readings,
         say("the readings add up to {weight}, no more than the cargo alone, {cargo}",
-            {shortest(level->weight), shortest(cargo)}));
+            {as_read(shortest(level->weight)), as_read(shortest(cargo))}));
   Weighing found;
   found.weight = level->weight;
   found.weight_error = level->weight_error;

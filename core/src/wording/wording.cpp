@@ -17,6 +17,8 @@ Translations& translations() {
   return all;
 }
 
+int typed_texts = 0;  // AsTyped objects
+
 // Calls text() between the places, and place() for their names.
 template <class Text, class Place>
 void read_pattern(std::string_view pattern, const Text& text, const Place& place) {
@@ -50,10 +52,21 @@ void forget_translations() { translations().clear(); }
 
 std::string_view translated(std::string_view english) {
   const Translations& all = translations();
-  if (all.empty()) return english;
+  if (all.empty() || typed_texts > 0) return english;
   const auto found = all.find(english);
   return found == all.end() ? english : found->second;
 }
+
+std::string as_read(std::string number) {
+  const std::string_view mark = translated(".");
+  for (std::size_t at = number.find('.'); at != std::string::npos;
+       at = number.find('.', at + mark.size()))
+    number.replace(at, 1, mark);
+  return number;
+}
+
+AsTyped::AsTyped() { ++typed_texts; }
+AsTyped::~AsTyped() { --typed_texts; }
 
 // Not inline, as the page has a thousand of them.
 Value::Value(std::string_view text) : text_(text.data() ? text.data() : ""), size_(text.size()) {}

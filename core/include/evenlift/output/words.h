@@ -4,7 +4,8 @@
 //
 // Numbers are rounded from the decimal that shortest() (numbers.h) prints, with halves rounded away
 // from zero. So 2.345 is 2.35 with two decimals, although its double is slightly less. The minus
-// sign is "−"; zero never has one. A no-break space (U+00A0) separates a number from its unit.
+// sign is "−"; zero never has one. The decimal mark is a point, or the reader's (as_read() of
+// wording.h). A no-break space (U+00A0) separates a number from its unit.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
@@ -14,10 +15,11 @@ namespace {
 
 constexpr int most_decimals = 9;
 
-std::string with_minus_sign(std::string text) {
+// With a minus sign, and the reader's decimal mark.
+std::string with_marks(std::string text) {
   for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at))
     text.replace(at, 1, "−");
-  return text;
+  return as_read(std::move(text));
 }
 
 // In units of 10^-decimals.
@@ -68,12 +70,10 @@ std::string ascii_fixed(double value, int decimals) {
   return (decimal.negative && !is_zero(units) ? "-" : "") + with_point(units, decimals);
 }
 
-std::string fixed(double value, int decimals) {
-  return with_minus_sign(ascii_fixed(value, decimals));
-}
+std::string fixed(double value, int decimals) { return with_marks(ascii_fixed(value, decimals)); }
 
 std::string plain(double value) {
-  return value == 0 ? "0" : with_minus_sign(shortest(value));  // -0 is "0"
+  return value == 0 ? "0" : with_marks(shortest(value));  // -0 is "0"
 }
 
 std::string significant(double value, int digits, Toward toward) {
@@ -102,8 +102,8 @@ std::string amount(double value, double largest, Toward toward) {
   if (size < least_fixed || size >= most_fixed) return significant(value, 3, toward);
   if (toward == Toward::nearest) return fixed(value, decimals_for(largest));
   const int decimals = decimals_for(largest);
-  return with_point(
-      whole_units(shortest_decimal(within_tolerance(value, toward)), decimals, toward), decimals);
+  return as_read(with_point(
+      whole_units(shortest_decimal(within_tolerance(value, toward)), decimals, toward), decimals));
 }
 
 std::string load_in_words(double value, double largest, const Units& units) {
@@ -184,7 +184,7 @@ std::string percentage(double share, int decimals) {
   std::string text = with_point(units, decimals);
   if (is_zero(units)) text = "<\u00A0" + with_point("1", decimals);
   if (units == all) text = ">\u00A0" + with_point(std::string(all.size() - 1, '9'), decimals);
-  return text + "\u00A0%";
+  return as_read(std::move(text)) + "\u00A0%";
 }
 
 std::string count_of(std::size_t n, const char* one, const char* many) {
@@ -199,11 +199,11 @@ std::string given_point(const Vec2& point) {
   const auto coordinate = [&](double value) {
     return significant(std::fabs(value) < least ? 0 : value, 6);
   };
-  return "(" + coordinate(point.x) + ", " + coordinate(point.y) + ")";
+  return say("({x}, {y})", {coordinate(point.x), coordinate(point.y)});
 }
 
 std::string point_in_words(const Vec2& point, int decimals) {
-  return "(" + fixed(point.x, decimals) + ", " + fixed(point.y, decimals) + ")";
+  return say("({x}, {y})", {fixed(point.x, decimals), fixed(point.y, decimals)});
 }
 
 int coordinate_decimals(const Points& vertices) {
