@@ -49,17 +49,23 @@ def samples(folder, target, opening=None):
         opening.write_text(f'R"polygon({entries[0]["text"]})polygon"\n', encoding="utf-8")
 
 
-def lesson(polygons, name, title, group, text):
+def minutes(english):
+    """Approximate, and the same in every language: for reading the words, a look at each step and its caption, and trying the task."""
+    words = " ".join(line for line in english.splitlines() if not re.match(r"#|\[|[a-z-]+:", line)).split()
+    stops = len(re.findall(r"^\[(?!(?:task|question|answer)\])", english, re.MULTILINE))
+    task = re.search(r"^\[task\]", english, re.MULTILINE)
+    return max(1, int(len(words) / 150 + stops * 0.25 + (3 if task else 0) + 0.5))
+
+
+def lesson(polygons, name, title, group, text, english):
     polygon = re.search(r"^polygon:\s*([a-z0-9-]+)", text, re.MULTILINE)
-    return {"name": name, "title": title, "session": group,
-            "stops": len(re.findall(r"^\[(?!(?:task|question|answer)\])", text, re.MULTILINE)),
-            "task": bool(re.search(r"^\[task\]", text, re.MULTILINE)), "text": text,
+    return {"name": name, "title": title, "session": group, "minutes": minutes(english), "text": text,
             "polygon": read(polygons / f"{polygon[1]}.txt") if polygon else ""}
 
 
 def lessons(folder, polygons, target, polygons_target):
-    write_lines(target, "[]", (text_of(lesson(polygons, *entry, read(folder / f"{entry[0]}.txt")))
-                               for entry in listed(folder)))
+    texts = {name: read(folder / f"{name}.txt") for name, *_ in listed(folder)}
+    write_lines(target, "[]", (text_of(lesson(polygons, *entry, texts[entry[0]], texts[entry[0]])) for entry in listed(folder)))
     # All samples by name, for lessons that come from elsewhere.
     files = sorted(file for file in polygons.glob("*.txt") if file.name != "index.txt")
     write_lines(polygons_target, "{}", (f"{text_of(file.stem)}: {text_of(read(file))}" for file in files))
@@ -71,7 +77,7 @@ def translated_lessons(folder, polygons, language, target):
     for name, _, group in listed(folder):
         text = read(folder / language / f"{name}.txt")
         title = re.search(r"^title:\s*(.*)$", text, re.MULTILINE)[1]
-        entries.append(text_of(lesson(polygons, name, title, group, text)))
+        entries.append(text_of(lesson(polygons, name, title, group, text, read(folder / f"{name}.txt"))))
     write_lines(target, "[]", entries)
 
 

@@ -488,7 +488,7 @@ test("every ready-made lesson opens from the window, and every stop has its word
     const window = await openWindow(page, "lessons");
     await window.locator(`[data-name="${lesson.name}"]`).click();
     await allClosed(page);
-    if (!lesson.stops) {
+    if (!/^\[(?!(?:task|question|answer)\])/m.test(lesson.text)) {
       await page.locator("#task h2").waitFor();
       await page.waitForFunction((search) => location.search === search, `?lesson=${lesson.name}`);
       continue;
@@ -498,7 +498,6 @@ test("every ready-made lesson opens from the window, and every stop has its word
       .split(/^\[.*\]\r?\n/m)
       .slice(1)
       .map((part) => part.trim().split(/\s+/).slice(0, 4).join(" "));
-    assert.equal(words.length, lesson.stops);
     for (const [i, first] of words.entries()) {
       await spoken(
         page,

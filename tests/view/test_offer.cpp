@@ -1,3 +1,4 @@
+#include <cmath>
 #include <string>
 
 #include "edits/undo.h"
@@ -50,11 +51,20 @@ TEST_CASE("an offer has fewer faults, gives what it says, and is one step of und
         const bool lowers = offer->label.starts_with("Lower the ratio");
         if (!lowers) CHECK(after.reasons.size() < before.reasons.size());
         if (lowers) CHECK_FALSE(state.derived().placement->teams.empty());
-        if (offer->label.find("held") != std::string::npos ||
+        const Placement& placed = *state.derived().placement;
+        const bool says_not = offer->label.find("not held") != std::string::npos;
+        if (says_not) CHECK_FALSE(is_held(placed));
+        if ((!says_not && offer->label.find("held") != std::string::npos) ||
             offer->label.starts_with("Make it hold"))
-          CHECK(is_held(*state.derived().placement));
-        if (offer->label.find("covered") != std::string::npos)
-          CHECK(state.derived().placement->coverage > covered);
+          CHECK(is_held(placed));
+        // The price is told in both directions.
+        const std::string says_before =
+            percentage(covered).substr(0, percentage(covered).find("\u00A0%"));
+        const bool tells = offer->label.find(says_before + " → ") != std::string::npos;
+        if (std::abs(placed.coverage - covered) > 0.011) CHECK(tells);
+        if (tells && placed.search_ended)
+          CHECK(offer->label.find("→ " + percentage(placed.coverage) + " covered") !=
+                std::string::npos);
         CHECK(state.work.history.depth() == depth + 1);
         give(state, Undo{});
         CHECK(settings(state) == own);

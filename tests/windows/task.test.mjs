@@ -93,6 +93,83 @@ test("each number has a task of its own, which stays in the address and after a 
   await page.done();
 });
 
+// All robots of *Place robots yourself* where they do what it asks.
+async function solve(page) {
+  await set(page, { supports: "350,230 670,230 670,530 350,530" });
+  await says(page, "Done!");
+}
+
+test("another number is asked about once something was done, and a task starts over", async () => {
+  const page = await browser.open({ address: "?lesson=task-thirty&number=5" });
+  await card(page).waitFor();
+  const first = await state(page);
+  const field = card(page).getByLabel("Your number"),
+    restart = card(page).getByRole("button", { name: "Start over" });
+  assert.equal(await restart.isVisible(), false, "nothing to take back");
+  const [x, y] = first.supports[0];
+  await set(page, { supports: [[x + 1, y], ...first.supports.slice(1)] });
+  await idle(page);
+  await field.fill("6");
+  await field.press("Enter");
+  await card(page).getByText("Number 6 has another object. What you did here is left behind.").waitFor();
+  await card(page).getByRole("button", { name: "Stay with number 5" }).click();
+  assert.equal(await field.inputValue(), "5");
+  assert.deepEqual((await state(page)).supports[0], [x + 1, y]);
+  await restart.click();
+  await page.waitForFunction(([a, b]) => evenlift.state().supports[0].join() === `${a},${b}`, [x, y]);
+  assert.deepEqual(await state(page), first);
+  await set(page, { supports: [[x + 1, y], ...first.supports.slice(1)] });
+  await idle(page);
+  await field.fill("6");
+  await field.press("Enter");
+  await card(page).getByRole("button", { name: "Begin number 6" }).click();
+  await page.waitForFunction(() => location.search.includes("number=6"));
+  assert.notDeepEqual((await state(page)).polygon, first.polygon);
+  await page.done();
+});
+
+test("a task shows what it asks about: no turns and no failures, unless it asks for them", async () => {
+  const page = await browser.open();
+  for (const [task, hold, failures] of [
+    ["place-yourself", false, false],
+    ["task-closed", true, false],
+    ["task-steady", false, true],
+  ]) {
+    await openWindow(page, "lessons");
+    await page.locator(`[data-name="${task}"]`).click();
+    await card(page).waitFor();
+    await idle(page);
+    const { overlays } = await state(page);
+    assert.equal(overlays?.clockwise ?? true, hold, task);
+    assert.equal(Boolean(await controlIfShown(page, "failures")), failures, task);
+  }
+  await page.done();
+});
+
+test("on a phone the object of a task has half of the screen", async () => {
+  const page = await browser.open({ viewport: phone, hasTouch: true, isMobile: true });
+  for (const task of ["place-yourself", "task-where-is-c", "task-closed", "task-thirty", "task-steady"]) {
+    await openWindow(page, "lessons");
+    await page.locator(`[data-name="${task}"]`).click();
+    await card(page).waitFor();
+    await idle(page);
+    const { y } = await card(page).boundingBox();
+    const below = 56; // of the toolbar
+    assert.ok(y - below >= phone.height / 2, `${task}: ${y - below} of ${phone.height}`);
+  }
+  await page.done();
+});
+
+test("Done! is the largest text on the card, and the verdict agrees", async () => {
+  const page = await browser.open({ address: "?lesson=place-yourself" });
+  await card(page).waitFor();
+  await solve(page);
+  const size = (locator) => locator.evaluate((element) => Number.parseFloat(getComputedStyle(element).fontSize));
+  const done = await size(card(page).locator(".state b"));
+  assert.ok(done > 1.4 * (await size(card(page).locator("h2"))), String(done));
+  await page.done();
+});
+
 test("what a task does not allow is said, and undo brings it back", async () => {
   const page = await browser.open({ address: "?lesson=task-motor" });
   await card(page).waitFor();

@@ -103,6 +103,17 @@ void begin_task(AppState& state, OpenTask task) {
   state.view.task = std::move(task);
 }
 
+// Hides the regions of free turns in a task that asks for no hold, unless the lesson shows them.
+void show_only_asked(AppState& state) {
+  const std::vector<GivenSetting>& own = state.view.task->lesson.settings;
+  const bool chosen = std::any_of(own.begin(), own.end(), [](const GivenSetting& each) {
+    return each.setting == Setting::overlays;
+  });
+  if (chosen || is_about_hold(state)) return;
+  Overlays& overlays = state.work.show().overlays;
+  overlays.clockwise = overlays.counterclockwise = false;
+}
+
 // A lesson without steps: its object and its task. A joined task must be about the open document's
 // shape, unless that may be changed.
 std::optional<InputError> open_task(AppState& state, OpenTask task, Opened of_it,
@@ -117,6 +128,7 @@ std::optional<InputError> open_task(AppState& state, OpenTask task, Opened of_it
     show_as(state, task.lesson);
   }
   begin_task(state, std::move(task));
+  if (start != LessonStart::join) show_only_asked(state);
   state.view.challenge = true;
   return std::nullopt;
 }

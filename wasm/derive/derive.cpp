@@ -174,6 +174,7 @@ class Derivation {
     offer();
     let_fail();
     tell_plans(facts_);
+    check();
     explain();
     tell_of_change();
     if (robots_ || second_ || fails_ || (facts_.trace == nullptr) != untraced) ++facts_.revision;
@@ -201,6 +202,7 @@ class Derivation {
   void search();
   void offer();
   void let_fail();
+  void check();
   void explain();
   void explain_again();
   void tell_of_change();
@@ -393,6 +395,16 @@ void Derivation::let_fail() {
   fails_ = true;
   if (state_.view.fails.of) view::let_fail(facts_, *state_.view.fails.of, now_.shown);
   effects_.push_back(SummaryChanged{});
+}
+
+void Derivation::check() {
+  const std::optional<OpenTask>& open = state_.view.task;
+  facts_.attempt.reset();
+  if (!open) return;
+  facts_.attempt = Attempt();
+  if (facts_.placement && !facts_.refusal)
+    facts_.attempt = check_task(*open->lesson.task, open->exercise, state_.work.document(),
+                                {*facts_.placement, now_.shown});
 }
 
 // The card stays with a robot moved by hand, and otherwise disappears when the robots change.

@@ -1,5 +1,6 @@
 #include "derive/derive.h"
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -54,18 +55,35 @@ bool is_short(const Placement& placement) {
          placement.teams.size() < placement.requested_teams;
 }
 
-// What the alternative adds: ": held, at least 93 % covered".
-std::string gains(const Placement& before, const Placement& after, bool says_held) {
+// "88" of "88 %".
+std::string without_sign(std::string percentage) {
+  return percentage.substr(0, percentage.find("\u00A0%"));
+}
+
+// What an alternative changes, for better or worse: ": held, 88 → at least 93 % covered".
+struct Differences {
   std::string text;
-  const auto add = [&](const std::string& gain) { text += (text.empty() ? ": " : ", ") + gain; };
+  bool gains = false;
+};
+
+Differences differences(const Placement& before, const Placement& after, bool says_held) {
+  Differences all;
+  const auto add = [&](const std::string& change, bool gains) {
+    all.text += (all.text.empty() ? ": " : ", ") + change;
+    all.gains |= gains;
+  };
   if (is_short(before) && after.teams.size() > before.teams.size())
-    add(say("room for {teams}", {count_of(after.teams.size(), "team", "teams")}));
-  if (!before.loads && after.loads) add(say("it stands"));
-  if (!says_held && !is_held(before) && is_held(after)) add(say("held"));
-  if (after.coverage > before.coverage + 0.01)
-    add(say(after.search_ended ? "{coverage} covered" : "at least {coverage} covered",
-            {percentage(after.coverage)}));
-  return text;
+    add(say("room for {teams}", {count_of(after.teams.size(), "team", "teams")}), true);
+  if (!before.loads && after.loads) add(say("it stands"), true);
+  if (!says_held && !is_held(before) && is_held(after)) add(say("held"), true);
+  if (is_held(before) && !is_held(after)) add(say("not held"), false);
+  constexpr double worth_telling = 0.01;
+  if (std::abs(after.coverage - before.coverage) > worth_telling)
+    add(say(after.search_ended ? "{before} → {coverage} covered"
+                               : "{before} → at least {coverage} covered",
+            {without_sign(percentage(before.coverage)), percentage(after.coverage)}),
+        after.coverage > before.coverage);
+  return all;
 }
 
 std::optional<Offer> lower_ratio(const Derived& facts) {
@@ -87,13 +105,13 @@ std::optional<Offer> best_alternative(const Derived& facts, const Shown& shown) 
     const Document document = alternative.document(facts);
     const Result<Placement> other = try_placement(document, now);
     if (!other || other->teams.empty()) continue;
-    const std::string gained = gains(now, *other, alternative.says_held);
+    const Differences told = differences(now, *other, alternative.says_held);
     const Judgement judged = judge({*other, shown});
     const bool holds = !alternative.says_held || is_held(*other);
-    if ((gained.empty() && !alternative.says_held) || !holds || judged.reasons.size() >= fewest)
+    if ((!told.gains && !alternative.says_held) || !holds || judged.reasons.size() >= fewest)
       continue;
     fewest = judged.reasons.size();
-    found = Offer{document.settings, say(alternative.verb) + gained};
+    found = Offer{document.settings, say(alternative.verb) + told.text};
     if (judged.kind == VerdictKind::good) break;
   }
   return found;

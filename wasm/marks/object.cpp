@@ -368,6 +368,7 @@ void draw_far_region(const Painter& painter, const CanvasView& view, const Point
 void draw_slide(const Painter& painter, const CanvasView& view, Occupied* occupied) {
   const Closure& closure = view.placement->closure;
   if (!closure.translation_free || !closure.translation || view.placement->teams.empty()) return;
+  if (!is_about_hold(view.state)) return;
   const Vec2 from = view.camera.to_screen(view.placement->centre_of_mass);
   const Vec2 along(closure.translation->x, -closure.translation->y);
   const Vec2 tail = from + along * 16, head = from + along * 62;

@@ -79,6 +79,13 @@ std::string text_or_problem(const evenlift::Result<std::string>& text) {
               : json::object({{"problem", json::text(sentence(text.error()))}});
 }
 
+// Whether the document is as at the beginning of its task, however it is shown.
+bool is_as_begun(const evenlift::Document& document, const evenlift::Document& start) {
+  return document.vertices == start.vertices && document.holes == start.holes &&
+         document.centre_of_mass == start.centre_of_mass && document.settings == start.settings &&
+         document.moved == start.moved;
+}
+
 }  // namespace
 
 extern "C" {
@@ -193,31 +200,31 @@ EMSCRIPTEN_KEEPALIVE const char* page_lesson_answer() {
 }
 
 // The open task and its goals: {"title", "words", "may", "goals": [{"words", "value",
-// "kept"}], "changed", "kept", "number", "numbered"}. If `numbered`, another number of the learner
+// "kept"}], "changed", "kept", "begun", "number", "numbered"}. `begun` is whether the learner has changed
+// anything. If `numbered`, another number of the learner
 // makes another task. Empty without a task.
 EMSCRIPTEN_KEEPALIVE const char* page_task() {
   const AppState& state = app().state;
   if (!state.view.task) return hand_over({});
   const OpenTask& open = *state.view.task;
   const evenlift::Task& task = *open.lesson.task;
-  evenlift::Attempt attempt;
-  if (state.derived().placement && !state.derived().refusal)
-    attempt = evenlift::check_task(task, open.exercise, state.work.document(),
-                                   {*state.derived().placement, shown(state)});
+  const evenlift::Attempt attempt = state.derived().attempt.value_or(evenlift::Attempt());
   std::vector<std::string> goals, changed;
   for (const evenlift::Goalpost& goal : attempt.goals)
     goals.push_back(json::object({{"words", json::text(goal.words)},
                                   {"value", json::text(goal.value)},
                                   {"kept", json::boolean(goal.kept)}}));
   for (const std::string& each : attempt.changed) changed.push_back(json::text(each));
-  return hand_over(json::object({{"title", json::text(open.lesson.title)},
-                                 {"words", json::text(task.words)},
-                                 {"may", json::text(evenlift::movable_in_words(task))},
-                                 {"goals", json::array(goals)},
-                                 {"changed", json::array(changed)},
-                                 {"kept", json::boolean(attempt.kept)},
-                                 {"number", std::to_string(open.number)},
-                                 {"numbered", json::boolean(evenlift::is_numbered(open.lesson))}}));
+  return hand_over(json::object(
+      {{"title", json::text(open.lesson.title)},
+       {"words", json::text(task.words)},
+       {"may", json::text(evenlift::movable_in_words(task))},
+       {"goals", json::array(goals)},
+       {"changed", json::array(changed)},
+       {"kept", json::boolean(attempt.kept)},
+       {"begun", json::boolean(!is_as_begun(state.work.document(), open.exercise.start))},
+       {"number", std::to_string(open.number)},
+       {"numbered", json::boolean(evenlift::is_numbered(open.lesson))}}));
 }
 
 EMSCRIPTEN_KEEPALIVE int page_task_is_open() { return app().state.view.task ? 1 : 0; }

@@ -115,6 +115,7 @@ void draw_in(const Ui& ui, float height, const Verdict& v, const std::string& re
 }
 
 void draw_failures_below(const Ui& ui) {
+  if (!is_about_failures(ui.state)) return;
   // The words may fill their area.
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (ui.layout.wide ? 12 : 8));
   draw_failures(ui);

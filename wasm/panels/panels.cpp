@@ -195,6 +195,7 @@ void draw_low_sheet(const Ui& ui) {
 }
 
 void draw_closed_sheet(const Ui& ui) {
+  if (ui.layout.bare) return;
   if (walkthrough_is_open(ui.state))
     return ui.layout.brief ? draw_player_row(ui) : draw_step_and_row(ui);
   constexpr double too_low = 8;  // pixels of the row's margin that may be missing

@@ -240,6 +240,8 @@ Verdict verdict(const AppState& state) {
   if (!state.derived().placement) return {Mood::refused, say("Nothing is open."), ""};
   if (const Failure* failure = failing(state)) return of_failure(state, *failure);
   Verdict v = of_placement(state);
+  // In a task, what it asks for decides.
+  if (state.derived().attempt && state.derived().attempt->kept) v.mood = Mood::good;
   v.searching = state.derived().search.under_way && !state.derived().placement->search_ended;
   const bool waits = state.work.edit_open && !state.derived().placement->search_ended &&
                      settings(state).method == Method::balanced;

@@ -12,6 +12,7 @@
 #include "evenlift/capacity.h"
 #include "evenlift/placement.h"
 #include "evenlift/report.h"
+#include "evenlift/task.h"
 #include "evenlift/trace.h"
 #include "state/view_state.h"
 #include "state/work.h"
@@ -158,6 +159,7 @@ struct Derived {
   Report report, second_report;
   bool failures_due = true;                // report.failures must be computed
   std::optional<Failure> failure;          // the simulated failure of a robot
+  std::optional<Attempt> attempt;          // at the open task, of the placement
   std::optional<Explanation> explanation;  // the card about a robot, chord or candidate
   Search search;
   Elsewhere elsewhere;

@@ -1,6 +1,7 @@
 #include "state/layout.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "state/method.h"
 
@@ -18,6 +19,8 @@ constexpr double knob = 36;           // above or below the frame around the pol
 constexpr double caption_above = 34;  // of the lower or upper of two pictures
 // A sheet with its handle and the player's row, or the verdict's headline and one row (panels.cpp).
 constexpr double brief_row = 88, brief_verdict = 152;
+// A sheet with its handle alone.
+constexpr double handle_alone = 32;
 // In presentation mode: the least height for a card below the words or beside the drawing, and the
 // share of the height for the words above a card.
 constexpr double least_height_for_both = 480, share_of_words = 0.45;
@@ -208,6 +211,16 @@ double room_above(const Layout& l, const AppState& state, double sheet) {
   return state.work.second_method ? room / 2 - caption_above : room;
 }
 
+// Whether a task is open that is solved by dragging robots or C alone.
+bool does_without_sheet(const AppState& state) {
+  if (!state.view.task || walkthrough_is_open(state) || state.view.tool != Tool::parts)
+    return false;
+  const std::vector<Movable>& may = state.view.task->lesson.task->may;
+  return std::all_of(may.begin(), may.end(), [](Movable part) {
+    return part == Movable::robots || part == Movable::centre;
+  });
+}
+
 Layout narrow(const AppState& state) {
   Layout l;
   const Screen& screen = state.session.screen;
@@ -220,6 +233,9 @@ Layout narrow(const AppState& state) {
   l.brief = state.view.sheet == Sheet::closed && asks_for_room(state) &&
             room_above(l, state, height) < least_room;
   if (l.brief) height = std::min(height, walkthrough_is_open(state) ? brief_row : brief_verdict);
+  // The card of a task has its goals, and the drawing needs the room.
+  l.bare = state.view.sheet == Sheet::closed && does_without_sheet(state);
+  if (l.bare) height = handle_alone;
   if (state.view.sheet == Sheet::half) height = most;
   if (state.view.sheet == Sheet::full) height = screen.height - bar_height(l) - 3 * l.margin;
   l.panel = {0, screen.height - height, screen.width, screen.height};

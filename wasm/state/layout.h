@@ -15,6 +15,7 @@ struct Layout {
   double margin = 16;      // between panels and the canvas's edge
   double bar_padding = 8;  // between a bar's controls and its edge
   bool low = false;        // the height is small: seldom-used controls are in the toolbar's menu
+  bool bare = false;       // the closed sheet is only its handle
   bool brief = false;  // the closed sheet shows only its first lines, to leave room for the drawing
   Rect panel;          // the panel at the side, or the sheet
   // The player: the walkthrough's buttons and, in an <iframe> and in presentation mode, its words.

@@ -4,8 +4,11 @@
 #pragma once
 
 #include <algorithm>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "state/derived.h"
 #include "state/session.h"
@@ -86,6 +89,20 @@ inline bool stays_by_hand(const AppState& state) {
   if (!state.view.task) return true;
   const std::vector<Movable>& may = state.view.task->lesson.task->may;
   return std::find(may.begin(), may.end(), Movable::teams) == may.end();
+}
+
+// Whether the open task, if any, has a condition on one of these quantities (requirements.h); true
+// without a task, since then everything is of interest. O(conditions).
+inline bool is_about(const AppState& state, std::initializer_list<std::string_view> quantities) {
+  if (!state.view.task) return true;
+  const std::vector<Condition>& all = state.view.task->lesson.task->conditions;
+  return std::any_of(all.begin(), all.end(), [&](const Condition& each) {
+    return std::find(quantities.begin(), quantities.end(), each.quantity) != quantities.end();
+  });
+}
+inline bool is_about_hold(const AppState& state) { return is_about(state, {"held", "margin"}); }
+inline bool is_about_failures(const AppState& state) {
+  return is_about(state, {"steady", "max_after_failure"});
 }
 
 // Returns shown_placement() with its report. O(1).

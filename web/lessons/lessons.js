@@ -104,16 +104,6 @@ function ofThisPolygon(page, close) {
   );
 }
 
-// Approximate: reading the words, looking at each step and its caption, and trying the task.
-function minutes({ text, stops, task }) {
-  const words = text
-    .split("\n")
-    .filter((line) => !/^(#|\[|[a-z-]+:)/.test(line))
-    .join(" ")
-    .split(/\s+/).length;
-  return Math.max(1, Math.round(words / 150 + stops * 0.25 + (task ? 3 : 0)));
-}
-
 async function load(page, list, choose) {
   list.replaceChildren(el("p", { class: "second", role: "status" }, "Loading …"));
   let lessons;
@@ -134,7 +124,7 @@ async function load(page, list, choose) {
   const next = later >= 0 ? later : lessons.findIndex(({ name }) => !seen.has(name));
   const about = (lesson, i) =>
     [
-      say("about {minutes} min", { minutes: minutes(lesson) }),
+      say("about {minutes} min", { minutes: lesson.minutes }),
       lesson.name === open ? "open now" : seen.has(lesson.name) ? "seen" : seen.size > 0 && i === next ? "next" : "",
     ]
       .filter(Boolean)
@@ -152,7 +142,7 @@ async function load(page, list, choose) {
       }),
     );
   };
-  const total = (some) => some.reduce((sum, lesson) => sum + minutes(lesson), 0);
+  const total = (some) => some.reduce((sum, lesson) => sum + lesson.minutes, 0);
   const whole = {
     minutes: total(lessons),
     seen: lessons.filter(({ name }) => seen.has(name)).length,

@@ -9,10 +9,16 @@ export async function show(page, { again, done }) {
   const { program } = page;
   const begun = program.json("page_task");
   const list = el("ul", { class: "goals" });
-  const state = el("p", { class: "second", role: "status" });
+  const state = el("p", { class: "state", role: "status" });
   const answer = el("div", { class: "second" });
   const brief = el("p", { class: "brief", role: "status" });
   const copy = button("Copy result", { onclick: copyResult }, "copy");
+  const restart = button("Start over", {
+    title: "The robots stand as at the beginning again",
+    hidden: true,
+    onclick: () => again(begun.number),
+  });
+  const number = begun.numbered ? numberRow() : undefined;
   const leave = new AbortController();
   let shown = "";
   let celebrated = false;
@@ -32,6 +38,7 @@ export async function show(page, { again, done }) {
             .replace(new RegExp(`^${translated("Task: ")}`), "")
             .replace(/^./, (letter) => letter.toUpperCase()),
         ),
+        ...(number ? [number.root] : []),
         ...paragraphs(begun.words),
         list,
         state,
@@ -42,7 +49,7 @@ export async function show(page, { again, done }) {
         { class: "ways unfolded" },
         copy,
         ...question(),
-        ...(begun.numbered ? [numberField()] : []),
+        restart,
         closingButton("Leave the task", { class: "button bare" }, leaveTask),
       ),
     ],
@@ -54,15 +61,33 @@ export async function show(page, { again, done }) {
     if (!program.number("page_walkthrough_is_open")) program.call("page_close_task");
   }
 
-  // The learner's number, which makes the task another one.
-  function numberField() {
+  // The learner's number, which makes the task another one: what was done is left only after a question.
+  function numberRow() {
     const field = el("input", { inputmode: "numeric", size: "9", maxlength: "9", value: String(begun.number) });
+    const root = el("div", { class: "number" });
+    const asked = el("p", { class: "second", role: "status" });
+    const keep = () => {
+      field.value = String(begun.number);
+      sure.remove();
+      card.seat();
+    };
+    let wanted;
+    const change = button("", { class: "button primary", onclick: () => again(wanted) });
+    const sure = el("div", {}, asked, el("div", { class: "row" }, change, button("", { onclick: keep })));
     field.addEventListener("change", () => {
-      const number = learnersNumber(field.value.trim());
-      if (number === undefined) field.value = String(begun.number);
-      else if (number !== begun.number) again(number);
+      wanted = learnersNumber(field.value.trim());
+      if (wanted === undefined || wanted === begun.number) return keep();
+      if (!JSON.parse(shown).begun) return again(wanted);
+      asked.textContent = say("Number {number} has another object. What you did here is left behind.", {
+        number: wanted,
+      });
+      change.textContent = say("Begin number {number}", { number: wanted });
+      sure.querySelector(".row").lastChild.textContent = say("Stay with number {number}", { number: begun.number });
+      root.append(sure);
+      card.seat();
     });
-    return el("label", { class: "row second" }, "Your number", field);
+    root.append(el("label", { class: "row second" }, "Your number", field));
+    return { root };
   }
 
   function question() {
@@ -80,6 +105,7 @@ export async function show(page, { again, done }) {
         card.seat();
       },
     });
+    ask.classList.add("asks");
     return [ask];
   }
 
@@ -101,13 +127,15 @@ export async function show(page, { again, done }) {
     if (text === shown) return;
     shown = text;
     if (!text) return card.close(); // undone, or another document was opened
-    const { goals, changed, kept, may } = JSON.parse(text);
+    const { goals, changed, kept, may, begun: hasBegun } = JSON.parse(text);
     list.replaceChildren(...goals.map(row), ...changed.map(changedRow));
-    state.textContent = translated(kept ? "Done! Copy the result to hand it in." : may);
+    if (kept) state.replaceChildren(el("b", {}, icon("check"), "Done!"), " ", say("Copy the result to hand it in."));
+    else state.textContent = translated(may);
+    restart.hidden = !hasBegun;
     const met = goals.filter((goal) => goal.kept).length;
     const [notAllowed] = changed;
     brief.textContent = kept
-      ? state.textContent
+      ? `${translated("Done!")} ${translated("Copy the result to hand it in.")}`
       : notAllowed
         ? say("You changed {what}, which this task does not allow. Undo brings it back.", { what: notAllowed })
         : say("{title}: {met} of {goals}", { title: asTyped(begun.title), met, goals: goals.length });
