@@ -6,6 +6,7 @@
 #include "evenlift/output/words.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
+#include "state/method.h"
 #include "view/view_page.h"
 
 using namespace evenlift;
@@ -73,6 +74,31 @@ TEST_CASE("an offer has fewer faults, gives what it says, and is one step of und
     }
   }
   CHECK(offers > 20);
+}
+
+TEST_CASE("another method is tried with the weight and C that readings told", "[view][offer]") {
+  Document weighed = corpus::polygon("grand-piano");
+  weighed.settings = with_method(weighed.settings, Method::given, 1);
+  weighed.settings.supports = {{200, 300}, {450, 300}, {450, 600}, {200, 600}};
+  weighed.settings.weighed.readings = {100, 150, 130, 100};
+  AppState state;
+  begin(state, placed(weighed));
+  frame_view(state);
+  const Placement placement = *state.derived().placement;
+  REQUIRE(placement.weighing);
+  give(state, Compare{Method::balanced});
+  REQUIRE(state.derived().second);
+  CHECK(state.derived().second->weight() == 480);
+  CHECK(state.derived().second->centre_of_mass == placement.centre_of_mass);
+  give(state, Compare{});
+  REQUIRE(state.derived().offer);
+  const std::string label = state.derived().offer->label;
+  CAPTURE(label);
+  give(state, SetSettings{state.derived().offer->settings});
+  const Placement& after = *state.derived().placement;
+  CHECK(after.weight() == 480);
+  if (label.find(" covered") != std::string::npos && label.find("least") == std::string::npos)
+    CHECK(label.find("→ " + percentage(after.coverage)) != std::string::npos);
 }
 
 TEST_CASE("an offer waits for the end of a drag, and a challenge gives none", "[view][offer]") {

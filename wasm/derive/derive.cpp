@@ -46,6 +46,12 @@ Document by_other_method(const Derived& facts, Method method) {
   return document;
 }
 
+Document settled(const Derived& facts, Document document) {
+  if (!facts.placement || !facts.placement->weighing) return document;
+  auto told = settled_after_edit(document, facts.placed, *facts.placement->weighing);
+  return told ? *std::move(told) : document;
+}
+
 std::optional<double> best_ratio_if_none(const Placement& placement) {
   if (!placement.teams.empty() || !selects_candidates(placement.settings.method))
     return std::nullopt;
@@ -60,7 +66,7 @@ std::optional<double> best_ratio_if_none(const Placement& placement) {
 void renew_second(Derived& facts, const Work& work, Haste haste) {
   facts.second.reset();
   if (!work.second_method) return;
-  const Document document = by_other_method(facts, *work.second_method);
+  const Document document = settled(facts, by_other_method(facts, *work.second_method));
   if (Result<Placement> placement = compute_placement(document, facts.placement, haste))
     facts.second = std::move(placement).value();
 }

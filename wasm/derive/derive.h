@@ -112,6 +112,10 @@ void adopt(Derived& facts, const Document& document, Result<Placement> placement
 // number for teams.
 Document by_other_method(const Derived& facts, Method method);
 
+// The document as it would be after an edit: with the weight and C that readings told, if they no
+// longer apply (settled_after_edit() of weighing.h). O(document).
+Document settled(const Derived& facts, Document document);
+
 // Places the document by the second method, if any. Costs a placement.
 void renew_second(Derived& facts, const Work& work, Haste haste);
 

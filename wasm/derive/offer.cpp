@@ -102,11 +102,13 @@ std::optional<Offer> best_alternative(const Derived& facts, const Shown& shown) 
   std::size_t fewest = judgement.reasons.size();
   for (const Alternative& alternative : alternatives) {
     if (!alternative.suits(now)) continue;
-    const Document document = alternative.document(facts);
-    const Result<Placement> other = try_placement(document, now);
+    Document document = alternative.document(facts);
+    document.shown = shown;
+    const Document tried = settled(facts, document);
+    const Result<Placement> other = try_placement(tried, now);
     if (!other || other->teams.empty()) continue;
     const Differences told = differences(now, *other, alternative.says_held);
-    const Judgement judged = judge({*other, shown});
+    const Judgement judged = judge({*other, tried.shown});
     const bool holds = !alternative.says_held || is_held(*other);
     if ((!told.gains && !alternative.says_held) || !holds || judged.reasons.size() >= fewest)
       continue;

@@ -474,19 +474,24 @@ class Table {
   }
 }
 
-// A number with at most this many digits, until its field gets the focus; its value stays exact.
-const rounded = (text, digits) =>
-  text.length > digits + 2 ? String(Number(Number(text).toPrecision(digits - 1))) : text;
+// A number with at most this many digits, until its field gets the focus; its value stays exact. What is 0 but for
+// rounding, beside numbers as large as `largest`, is shown as 0.
+function rounded(number, digits, largest) {
+  if (Math.abs(number) < 1e-9 * largest) return "0";
+  const text = String(number);
+  return text.length > digits + 2 ? String(Number(number.toPrecision(digits - 1))) : text;
+}
 
 // Skips a field that is being typed in.
 function write(inputs, values, digits) {
+  const largest = Math.max(...values.slice(0, 2).map(Math.abs)); // of x and y
   values.forEach((given, axis) => {
     const input = inputs[axis],
       isNumber = typeof given === "number",
       value = isNumber ? asRead(String(given)) : given;
     if (input.dataset.is === value) return;
     const untouched = !input.dataset.is || input.value === input.dataset.is || input.value === input.dataset.shown;
-    input.dataset.shown = isNumber ? asRead(rounded(String(given), digits)) : value;
+    input.dataset.shown = isNumber ? asRead(rounded(given, digits, largest)) : value;
     if (untouched) {
       input.value = document.activeElement === input ? value : input.dataset.shown;
       input.removeAttribute("aria-invalid");
