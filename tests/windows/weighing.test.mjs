@@ -1,7 +1,19 @@
 // Readings in the table of robots, and the table of load cases.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { fragment, idle, load, phone, published, set, sharedBrowser, state, undo } from "../page/browser.mjs";
+import {
+  drag,
+  fragment,
+  idle,
+  load,
+  phone,
+  published,
+  set,
+  sharedBrowser,
+  state,
+  toScreen,
+  undo,
+} from "../page/browser.mjs";
 import { openWindow } from "../page/windows.mjs";
 
 const browser = sharedBrowser();
@@ -43,7 +55,7 @@ for (const [name, options] of [
     const page = await weighing(options);
     assert.equal(await page.locator("#table .weighed").isVisible(), false);
     await read(page, readings.slice(0, 3));
-    assert.match(await said(page), /Type what each robot reads/);
+    assert.match(await said(page), /: 1 still missing/);
     assert.equal((await state(page)).weighing, undefined); // nothing changes until all are known
     await read(page, readings);
     assert.match(await said(page), /Weighed: 480 kg, C at \(671\.0, 220\.8\)/);
@@ -58,6 +70,7 @@ for (const [name, options] of [
     assert.equal(own.weight, 480);
     assert.deepEqual(own.centre_of_mass, centre_of_mass);
     assert.equal(own.readings, undefined);
+    assert.match(await said(page), /The weight and C are the object's now/);
     await undo(page);
     assert.deepEqual((await state(page)).readings, readings.map(Number));
     await page.done();
@@ -74,6 +87,68 @@ test("one reading is cleared: the others stay in the table, and the weight is as
   assert.deepEqual(await fields(page).evaluateAll((all) => all.map(({ value }) => value)), ["169", "", "100", "40"]);
   await read(page, readings);
   assert.equal((await state(page)).total_weight, 480);
+  await page.done();
+});
+
+test("Tab leads from reading to reading, and readings go with a robot that is deleted", async () => {
+  const page = await weighing();
+  await fields(page).first().focus();
+  for (const value of readings.slice(0, 3)) {
+    await page.keyboard.type(value);
+    await page.keyboard.press("Tab");
+  }
+  await idle(page);
+  const shown = () => fields(page).evaluateAll((all) => all.map(({ value }) => value));
+  assert.deepEqual(await shown(), ["169", "171", "100", ""]);
+  assert.equal((await state(page)).robots.length, 4);
+  await page.getByRole("button", { name: "Delete robot 2", exact: true }).click();
+  await idle(page);
+  assert.deepEqual(await shown(), ["169", "100", ""], "each with its own robot");
+  // Without the robot that had none, all are known.
+  await page.getByRole("button", { name: "Add a robot", exact: true }).click();
+  await idle(page);
+  await read(page, ["169", "171", "40"]);
+  await page.getByRole("button", { name: "Delete robot 4", exact: true }).click();
+  await idle(page);
+  assert.equal((await state(page)).total_weight, 380);
+  await page.done();
+});
+
+test("readings that wait stay when the table is opened again by its key", async () => {
+  const page = await weighing();
+  await read(page, readings.slice(0, 2));
+  await page.keyboard.press("Escape");
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Shift+I");
+  await page.locator("#table").waitFor();
+  await idle(page);
+  assert.deepEqual(await fields(page).evaluateAll((all) => all.map(({ value }) => value)), ["169", "171", "", ""]);
+  await read(page, readings);
+  assert.equal((await state(page)).total_weight, 480);
+  await page.done();
+});
+
+test("a warning says that readings do not fit, and a word is no reading", async () => {
+  const page = await weighing();
+  await read(page, ["abc"]);
+  assert.match(await page.locator("#table .problem").innerText(), /“abc” is not a weight of 0 or more/);
+  await read(page, ["169", "400", "100", "400"]);
+  assert.match(
+    plain(await page.locator("#table .doubt").innerText()),
+    /The readings do not fit equally stiff supports/,
+  );
+  await page.done();
+});
+
+test("a robot that is dragged off the object keeps its reading", async () => {
+  const page = await weighing();
+  await read(page, readings);
+  await page.keyboard.press("Escape");
+  await drag(page, await toScreen(page, [1150, 50]), await toScreen(page, [1500, 300]));
+  await idle(page);
+  const { robots, readings: kept } = await state(page);
+  assert.equal(robots.length, 4);
+  assert.deepEqual(kept, readings.map(Number));
   await page.done();
 });
 

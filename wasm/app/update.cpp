@@ -109,6 +109,10 @@ struct Applier {
     auto [changed, aside] =
         with_method(settings(state), c.method, placed_teams(state), std::move(state.work.aside));
     state.work.aside = std::move(aside);
+    // As many balanced robots as stood there by hand.
+    if (settings(state).method == Method::given && c.method == Method::balanced)
+      changed.robots = std::clamp(static_cast<std::uint32_t>(settings(state).supports.size()),
+                                  fewest_robots(changed), most_robots);
     (*this)(SetSettings{std::move(changed)});
   }
   void operator()(const MoveVertex& c) const { move_handle(state, c.vertex, c.to); }

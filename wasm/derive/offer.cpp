@@ -60,7 +60,7 @@ std::string without_sign(std::string percentage) {
   return percentage.substr(0, percentage.find("\u00A0%"));
 }
 
-// What an alternative changes, for better or worse: ": held, 88 → at least 93 % covered".
+// What an alternative changes, for better or worse: ": holds, 88 → ≥ 93 % covered".
 struct Differences {
   std::string text;
   bool gains = false;
@@ -75,12 +75,12 @@ Differences differences(const Placement& before, const Placement& after, bool sa
   if (is_short(before) && after.teams.size() > before.teams.size())
     add(say("room for {teams}", {count_of(after.teams.size(), "team", "teams")}), true);
   if (!before.loads && after.loads) add(say("it stands"), true);
-  if (!says_held && !is_held(before) && is_held(after)) add(say("held"), true);
+  if (!says_held && !is_held(before) && is_held(after)) add(say("holds"), true);
   if (is_held(before) && !is_held(after)) add(say("not held"), false);
   constexpr double worth_telling = 0.01;
   if (std::abs(after.coverage - before.coverage) > worth_telling)
     add(say(after.search_ended ? "{before} → {coverage} covered"
-                               : "{before} → at least {coverage} covered",
+                               : "{before} → ≥\u00A0{coverage} covered",
             {without_sign(percentage(before.coverage)), percentage(after.coverage)}),
         after.coverage > before.coverage);
   return all;

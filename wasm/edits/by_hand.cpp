@@ -12,6 +12,7 @@
 #include "evenlift/plane.h"
 #include "evenlift/stands.h"
 #include "evenlift/supports.h"
+#include "evenlift/weighing.h"
 #include "evenlift/wording.h"
 #include "state/method.h"
 #include "state/screen.h"
@@ -167,8 +168,11 @@ void move_support(AppState& state, std::size_t robot, const Vec2& to) {
   if (!has_robots(state) || state.derived().placement->teams.empty()) return;
   const bool was_away = state.view.away.has_value();
   const auto spot = support_spot(state, to, was_away ? std::nullopt : std::optional(robot));
-  // In a challenge all robots stay: one dragged out waits where it last could stand.
-  if (!spot && state.view.challenge && !state.view.task) return;
+  // In a challenge, and while readings count, all robots stay: one dragged out waits where it last
+  // could stand.
+  const bool all_stay =
+      (state.view.challenge && !state.view.task) || evenlift::is_weighed(settings(state));
+  if (!spot && all_stay) return;
   if (!spot && (was_away || count_robots(state.derived().placement->teams) == 1)) {
     if (was_away) state.view.away->at = to;
     return;

@@ -403,14 +403,14 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_readings(const char* text) {
   return hand_over({});
 }
 
-// What the readings tell; empty without any.
+// What the readings tell, and what is said if they do not fit: two texts, both empty without readings.
 EMSCRIPTEN_KEEPALIVE const char* page_weighed() {
   const AppState& state = app().state;
   const auto& placement = state.derived().placement;
-  return hand_over(
-      placement && !state.derived().refusal && placement->weighing
-          ? evenlift::weighed_in_words({{*placement, shown(state)}, state.derived().report})
-          : std::string());
+  if (!placement || state.derived().refusal || !placement->weighing)
+    return hand_over(json::texts({"", ""}));
+  const evenlift::Reported of({*placement, shown(state)}, state.derived().report);
+  return hand_over(json::texts({weighed_in_words(of), misfit_of_readings(of)}));
 }
 EMSCRIPTEN_KEEPALIVE void page_take_over() { carry_out({TakeOver{}}); }
 

@@ -65,6 +65,9 @@ const lists = {
   },
 };
 
+// Readings of robots while others have none, and the places of those robots: they stay when the table is closed.
+const waiting = { readings: new Map(), of: "" };
+
 // Opens the list of robots, for their readings.
 export const weigh = (page) => show(page, { list: lists.robots });
 
@@ -98,7 +101,7 @@ class Table {
   #rows = []; // of the current page
   #from = 0; // the first vertex or robot of that page
   #selected = -1;
-  #readings = new Map(); // of robots, while others have none
+  #told = ""; // about what was taken over
   #leave = new AbortController();
   #due; // of the next update
 
@@ -187,7 +190,8 @@ class Table {
     this.scroll.classList.toggle("many", list.typed.length > 2);
     this.whole.hidden = !vertices;
     this.centre.row.hidden = !vertices;
-    this.#readings.clear();
+    this.#told = "";
+    if (waiting.of !== this.#places()) waiting.readings.clear();
     this.more.hidden = vertices;
     this.more.textContent = vertices ? "" : translated(list.add[1]);
     this.problem.say("");
@@ -235,7 +239,9 @@ class Table {
       this.#go(vertex + 1);
     });
     const remove = act(removing, "close", () => {
+      const before = this.#program.number(count);
       this.#program.call(removes, vertex);
+      if (this.#list === lists.robots && this.#program.number(count) < before) this.#forget(vertex);
       this.#refresh();
       const acts = typed.length + (this.#list === lists.vertices ? 1 : 0);
       this.#go(Math.min(vertex, this.#program.number(count) - 1), acts);
@@ -279,30 +285,60 @@ class Table {
     const said = el("p", { class: "second", role: "status" });
     const takeOver = button("Take over", {
       title: "Makes this weight and C the object's, so that any method can place robots for it",
-      onclick: () => this.#program.call("page_take_over"),
+      onclick: () => {
+        this.#program.call("page_take_over");
+        this.#told = translated("The weight and C are the object's now, without the readings. Undo brings them back.");
+        this.#refresh();
+        if (matchMedia("(pointer: fine)").matches) this.#focus(0, 2); // the button is gone
+      },
     });
-    return { row: el("div", { class: "row weighed" }, said, takeOver), said, takeOver };
+    const doubt = el("p", { class: "doubt", role: "status" });
+    return {
+      row: el("div", { class: "weighed" }, el("div", { class: "row" }, said, takeOver), doubt),
+      said,
+      doubt,
+      takeOver,
+    };
   }
 
-  // Readings count once each robot has one; until then they wait here.
-  #setReading(robot, text) {
+  // The robots, with all that is known of their readings.
+  #robots() {
     const program = this.#program;
-    const count = program.number(this.#list.count);
-    const known = program.json(this.#list.read, 0, count).map((values) => String(values[2]));
-    const all = known.map((value, i) => this.#readings.get(i) ?? value);
+    const list = lists.robots;
+    return program.json(list.read, 0, program.number(list.count));
+  }
+  #places() {
+    return JSON.stringify(this.#robots().map(([x, y]) => [x, y]));
+  }
+  #reads() {
+    return this.#robots().map((values, i) => waiting.readings.get(i) ?? String(values[2]));
+  }
+
+  // Readings count once each robot has one; until then they wait.
+  #setReading(robot, text) {
+    if (text && !(Number(text) >= 0)) return say("“{value}” is not a weight of 0 or more", { value: text });
+    const all = this.#reads();
     all[robot] = text;
-    this.#readings.set(robot, text);
-    if (all.every((value) => value === "")) {
-      this.#readings.clear();
-      return program.text("page_set_readings", "none");
-    }
-    if (all.some((value) => value === "")) {
-      all.forEach((value, i) => this.#readings.set(i, value)); // one was cleared: the others stay here
-      return program.text("page_set_readings", "none");
-    }
-    const problem = program.text("page_set_readings", all.join(" "));
-    if (!problem) this.#readings.clear();
+    return this.#weigh(all);
+  }
+
+  #weigh(all) {
+    const program = this.#program;
+    this.#told = "";
+    waiting.readings = new Map(all.entries()); // one may have been cleared: the others stay
+    const isWhole = all.every((value) => value !== "");
+    const problem = program.text("page_set_readings", isWhole ? all.join(" ") : "none");
+    if (isWhole ? !problem : all.every((value) => value === "")) waiting.readings.clear();
+    waiting.of = this.#places();
     return problem;
+  }
+
+  // A reading goes with its robot.
+  #forget(robot) {
+    if (waiting.readings.size === 0) return;
+    const all = [...waiting.readings].sort(([a], [b]) => a - b).map(([, value]) => value);
+    all.splice(robot, 1);
+    this.problem.say(this.#weigh(all));
   }
 
   #pagerRow() {
@@ -356,7 +392,7 @@ class Table {
     const pointed = program.number(list.pointed);
     program.json(list.read, this.#from, shown).forEach((values, i) => {
       const { row, inputs, remove, load, vertex } = this.#rows[i];
-      if (list === lists.robots && this.#readings.has(vertex)) values[2] = asRead(this.#readings.get(vertex));
+      if (list === lists.robots && waiting.readings.has(vertex)) values[2] = asRead(waiting.readings.get(vertex));
       write(inputs, values.slice(0, inputs.length), list.digits);
       if (load) load.textContent = values[inputs.length];
       row.className = vertex === selected ? "selected" : vertex === pointed ? "hovered" : "";
@@ -365,13 +401,7 @@ class Table {
     write(this.centre.inputs, program.json("page_centre"), lists.vertices.digits);
     this.centre.release.disabled = !program.number("page_centre_is_given");
     this.refusal.say(program.text("page_refusal"));
-    const weighed = list === lists.robots ? program.text("page_weighed") : "";
-    const waits = list === lists.robots && this.#readings.size > 0;
-    this.weighed.row.hidden = !weighed && !waits;
-    this.weighed.takeOver.hidden = !weighed || waits;
-    this.weighed.said.textContent = waits
-      ? translated("Type what each robot reads: together they tell the weight and C.")
-      : weighed;
+    this.#tellWeighing();
     this.pager.hidden = count <= most;
     this.back.disabled = this.#from === 0;
     this.next.disabled = this.#from + shown >= count;
@@ -382,6 +412,26 @@ class Table {
     });
     if (moved && selected >= 0 && document.activeElement === document.getElementById("canvas"))
       this.#rows[selected - this.#from].row.scrollIntoView({ block: "nearest" });
+  }
+
+  #tellWeighing() {
+    // They follow robots that move, and none that were added or belong to another object.
+    if (waiting.readings.size > 0) {
+      if (waiting.readings.size === this.#robots().length) waiting.of = this.#places();
+      else waiting.readings.clear();
+    }
+    const ofRobots = this.#list === lists.robots;
+    const [weighed, doubt] = ofRobots ? this.#program.json("page_weighed") : ["", ""];
+    const missing = ofRobots && waiting.readings.size > 0 ? this.#reads().filter((value) => value === "").length : 0;
+    const { row, said, takeOver } = this.weighed;
+    row.hidden = !weighed && !missing && !this.#told;
+    takeOver.hidden = !weighed || missing > 0;
+    said.textContent = missing
+      ? say("Robots stand where the supports stand, and read what these read: {number} still missing.", {
+          number: missing,
+        })
+      : weighed || this.#told;
+    this.weighed.doubt.textContent = missing ? "" : doubt;
   }
 
   // --- Keys and edits ----------------------------------------------------------------------------
@@ -447,7 +497,7 @@ class Table {
     } else if ((event.ctrlKey || event.metaKey) && /^[zy]$/i.test(key)) {
       if (typed) return; // the field's own undo
       this.#program.number("page_key", key, 1, event.shiftKey ? 1 : 0);
-    } else if (/^(Enter|ArrowUp|ArrowDown)$/.test(key) && input.matches("input")) {
+    } else if ((/^(Enter|ArrowUp|ArrowDown)$/.test(key) && input.matches("input")) || this.#tabsDown(event)) {
       const up = key === "ArrowUp" || event.shiftKey;
       if (typed) this.#commit(input);
       const vertex = this.#vertexOf(input);
@@ -457,6 +507,13 @@ class Table {
       return;
     }
     event.preventDefault();
+  }
+
+  // From reading to reading, not by the buttons that delete robots.
+  #tabsDown({ target, key, shiftKey }) {
+    if (key !== "Tab" || this.#list !== lists.robots) return false;
+    const at = this.#rows.findIndex(({ inputs }) => inputs[2] === target);
+    return at >= 0 && Boolean(this.#rows[at + (shiftKey ? -1 : 1)]);
   }
 
   #go(vertex, column = 0) {

@@ -17,6 +17,9 @@ std::string weighing_in_words(const Reported& of);
 // Only the first sentence. O(1).
 std::string weighed_in_words(const Reported& of);
 
+// Only what is said of readings that do not fit; empty if they fit, or without readings. O(m).
+std::string misfit_of_readings(const Reported& of);
+
 // "Robot 3 is used to 87 %, with a dynamic factor of 1.2 and a weight that may be off by 5 %." Empty
 // if no robot has a capacity, or without loads. O(m).
 std::string use_in_words(const Reported& of);

@@ -39,9 +39,23 @@ std::string height_in_words(const Reported& of, const Weighing::Height& found) {
   return text;
 }
 
+}  // namespace
+
+std::string weighed_in_words(const Reported& of) {
+  const auto& weighing = of.placement.weighing;
+  if (!weighing) return {};
+  const Units& units = of.shown.units;
+  const std::string weight = load_in_words(weighing->weight, units, Toward::nearest),
+                    at = point_in_words(weighing->centre,
+                                        coordinate_decimals(of.placement.vertices()));
+  if (!(of.shown.com_radius > 0)) return say("Weighed: {weight}, C at {place}.", {weight, at});
+  return say("Weighed: {weight}, C at {place}, known within {radius}.",
+             {weight, at, length_up(of.shown.com_radius, units)});
+}
+
 std::string misfit_of_readings(const Reported& of) {
+  if (!of.placement.weighing || of.report.readings_fit->fit) return {};
   const ReadingsFit& fit = *of.report.readings_fit;
-  if (fit.fit) return {};
   const Units& units = of.shown.units;
   const auto off = [&](std::size_t i) {
     const double by = fit.too_little[i];
@@ -76,20 +90,6 @@ std::string misfit_of_readings(const Reported& of) {
                       {length_up(most * *give * m / weighing.weight, units)});
   }
   return text;
-}
-
-}  // namespace
-
-std::string weighed_in_words(const Reported& of) {
-  const auto& weighing = of.placement.weighing;
-  if (!weighing) return {};
-  const Units& units = of.shown.units;
-  const std::string weight = load_in_words(weighing->weight, units, Toward::nearest),
-                    at = point_in_words(weighing->centre,
-                                        coordinate_decimals(of.placement.vertices()));
-  if (!(of.shown.com_radius > 0)) return say("Weighed: {weight}, C at {place}.", {weight, at});
-  return say("Weighed: {weight}, C at {place}, known within {radius}.",
-             {weight, at, length_up(of.shown.com_radius, units)});
 }
 
 std::string weighing_in_words(const Reported& of) {
