@@ -223,6 +223,30 @@ void draw_view(ImDrawList& list, const CanvasView& view) {
   list.PopClipRect();
 }
 
+// Whether a finger drags something, and so hides it.
+bool is_hidden_by_finger(const AppState& state) {
+  return state.session.screen.touch && state.work.edit_open &&
+         state.view.held.kind != Pick::Kind::none && state.view.held.kind != Pick::Kind::ground;
+}
+
+// Shows what is under a finger, larger, in the corner of the drawing that is farther away.
+void draw_loupe(ImDrawList& list, const CanvasView& view) {
+  constexpr double size = 132, factor = 3;
+  if (!is_hidden_by_finger(view.state)) return;
+  const Rect& free = view.layout.free;
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const Vec2 finger(mouse.x, mouse.y), held = finger + view.state.view.held.at;
+  const double gap = view.layout.margin,
+               left = finger.x > free.middle().x ? free.left + gap : free.right - gap - size;
+  const Rect window{left, free.top + gap, left + size, free.top + gap + size};
+  const Camera camera{view.camera.to_world(held), window.middle(), factor * view.camera.scale};
+  const ImVec2 low = vec(window.left, window.top), high = vec(window.right, window.bottom);
+  list.AddRectFilled(low, high, view.theme.ground.packed(), 10);
+  draw_view(list, {view.state, view.theme, view.layout, view.placement, view.scene, camera, window,
+                   view.second});
+  list.AddRect(low, high, view.theme.accent.packed(), 10, 0, 2);
+}
+
 // With a line between them.
 void draw_both(ImDrawList& list, const CanvasView& first, const Scene& second,
                const Layout& layout) {
@@ -266,6 +290,7 @@ void draw_canvas(const AppState& state, const Scene& scene, const Scene& second,
     draw_both(list, view, second, layout);
   else
     draw_view(list, view);
+  draw_loupe(list, view);
   if (state.view.tool == Tool::hole)
     draw_drawing(Painter(list, state.view.camera, state.session.screen.area()), state, colours,
                  layout.free);

@@ -209,7 +209,8 @@ double stepped(double value, int by) {
 
 namespace {
 
-// The overloaded robots and the number needed, at a constant height so that nothing below moves.
+// The overloaded robots and the number needed. Up to five lines have the same height, so that
+// little below moves.
 void draw_need(const Ui& ui) {
   const Derived& facts = ui.state.derived();
   const std::optional<CapacityPlan>& plan = facts.report.plan;
@@ -217,8 +218,8 @@ void draw_need(const Ui& ui) {
   // The verdict names overloaded robots, unless one has failed.
   text_block(Face::label, ui.theme.second_text,
              need_in_words(ui.state, failing(ui.state) || !is_overloaded(ui.state)));
-  const float five_lines = 5 * line_height(Face::label) + 6;
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + five_lines));
+  const float five_lines = at.y + 5 * line_height(Face::label) + 6;
+  ImGui::SetCursorScreenPos(ImVec2(at.x, std::max(five_lines, ImGui::GetCursorScreenPos().y)));
   const Settings& now = settings(ui.state);
   Settings changed = now;
   if (plan && now.method == Method::balanced) changed.robots = plan->team_size;

@@ -10,6 +10,7 @@ export const shared = {
 };
 
 export const ofWindows = {
+  again: "M4 3.5V8H8.5M4.4 7.7A6.3 6.3 0 1 1 3.8 11",
   folds: "M5 7.8L10 12.8L15 7.8",
   unfolds: "M5 12.2L10 7.2L15 12.2",
   copy: "M7.5 7.5H16.25V16.25H7.5ZM12.5 7.5V3.75H3.75V12.5H7.5",

@@ -13,11 +13,12 @@ export async function show(page, { again, done }) {
   const answer = el("div", { class: "second" });
   const brief = el("p", { class: "brief", role: "status" });
   const copy = button("Copy result", { onclick: copyResult }, "copy");
-  const restart = button("Start over", {
-    title: "The robots stand as at the beginning again",
-    hidden: true,
-    onclick: () => again(begun.number),
-  });
+  const restart = button(
+    "Start over",
+    { title: "The robots stand as at the beginning again", onclick: () => again(begun.number) },
+    "again",
+  );
+  restart.classList.add("restart");
   const number = begun.numbered ? numberRow() : undefined;
   const leave = new AbortController();
   let shown = "";
@@ -131,7 +132,7 @@ export async function show(page, { again, done }) {
     list.replaceChildren(...goals.map(row), ...changed.map(changedRow));
     if (kept) state.replaceChildren(el("b", {}, icon("check"), "Done!"), " ", say("Copy the result to hand it in."));
     else state.textContent = translated(may);
-    restart.hidden = !hasBegun;
+    restart.disabled = !hasBegun;
     const met = goals.filter((goal) => goal.kept).length;
     const [notAllowed] = changed;
     brief.textContent = kept
