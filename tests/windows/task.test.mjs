@@ -160,6 +160,42 @@ test("on a phone the object of a task has half of the screen", async () => {
   await page.done();
 });
 
+test("what a finger drags is shown larger in a corner, and what a mouse drags is not", async () => {
+  const page = await browser.open({
+    drawn: true,
+    address: "?lesson=task-where-is-c",
+    viewport: phone,
+    hasTouch: true,
+    isMobile: true,
+  });
+  await card(page).waitFor();
+  await idle(page);
+  const corner = { clip: { x: phone.width - 130, y: 75, width: 110, height: 110 } }; // within the loupe's edge
+  const session = await page.context().newCDPSession(page);
+  const finger = (type, ...touchPoints) => session.send("Input.dispatchTouchEvent", { type, touchPoints });
+  const at = async () => {
+    const [x, y] = await toScreen(page, (await state(page)).centre_of_mass);
+    return { x, y };
+  };
+  const { x, y } = await at();
+  await finger("touchStart", { x, y });
+  for (let i = 1; i <= 8; ++i) await finger("touchMove", { x: x - 2 * i, y });
+  await idle(page);
+  const during = await page.screenshot(corner);
+  await finger("touchEnd");
+  await idle(page);
+  const after = await page.screenshot(corner);
+  assert.ok((await browser.compare(during, after)).share > 0.5, "the loupe is full of the lifting base");
+  const from = await at();
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x + 8, from.y, { steps: 4 });
+  await idle(page);
+  assert.ok((await browser.compare(await page.screenshot(corner), after)).share < 0.02);
+  await page.mouse.up();
+  await page.done();
+});
+
 test("Done! is the largest text on the card, and the verdict agrees", async () => {
   const page = await browser.open({ address: "?lesson=place-yourself" });
   await card(page).waitFor();
