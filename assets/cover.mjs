@@ -1,5 +1,5 @@
 // The page's index.html with what is seen while the program loads: the picture of the opening sample, and the sentences
-// of class "said" in German, too (cover.js chooses one language).
+// of class "cover" in German, too (cover.js chooses one language).
 //   node cover.mjs core.wasm polygon.txt words-de.json index.html page.css OUTPUT
 // It is the picture that Save writes, without its texts. The outline, the lifting base and the chords fill their box;
 // the marks on them keep their size. page.css places the box where the program will draw the object.
@@ -78,9 +78,9 @@ const place = "<!-- The build puts the opening sample's picture here. -->";
 const page = readFileSync(html, "utf8");
 if (!page.includes(place)) throw new Error(`${html} has no place for the picture`);
 const german = JSON.parse(readFileSync(words, "utf8"));
-const withGerman = page.replace(/<span class="said">([^<]*)<\/span>/g, (english, text) => {
+const withGerman = page.replace(/<span class="cover">([^<]*)<\/span>/g, (english, text) => {
   if (!german[text]) throw new Error(`${words} has no "${text}"`);
-  return `${english}<span class="said" lang="de" hidden>${german[text]}</span>`;
+  return `${english}<span class="cover" lang="de" hidden>${german[text]}</span>`;
 });
 const short = (text) => text.replace(/ *<!--.*?-->\n/gs, "").replace(/^ +/gm, "");
 writeFileSync(output, short(withGerman.replace(place, picture)));

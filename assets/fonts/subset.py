@@ -20,7 +20,7 @@ from fontTools.ttLib.scaleUpem import ScalerVisitor
 # What the page itself writes.
 CHARACTERS = [chr(c) for c in range(0x20, 0x7F)] + list(
     "\u00a0\u2009\u202f"  # spaces that do not break or are thin, for numbers and their units
-    "§°±²·×é–—‘’“”…−≈≤≥"
+    "°²·×–’“”…−≈≤≥→"
 )
 
 # What people write in lessons and file names.

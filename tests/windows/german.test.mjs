@@ -94,6 +94,26 @@ test("the menu changes the language of this browser, and the work stays", async 
   await page.done();
 });
 
+test("cards over the drawing have their words in German, too: a task's, a challenge's and a lesson's end", async () => {
+  for (const [address, card, words] of [
+    ["?lang=de&lesson=task-thirty", "#task", /Dieses Objekt wiegt 100 kg.*Die größte Last beträgt höchstens 30 kg/],
+    ["?lang=de&place=4", "#challenge", /\p{L}{4,}.*\p{L}{4,}/u],
+  ]) {
+    const page = await browser.open({ address });
+    await page.locator(card).waitFor();
+    await idle(page);
+    assert.match(plain(await page.locator(card).innerText()).replaceAll("\n", " "), words, card);
+    assert.equal(await page.locator(`${card} .said`).first().isVisible(), true, card);
+    await page.done();
+  }
+  const page = await browser.open({ address: "?lang=de&lesson=three-equations" });
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("End");
+  await page.locator("#lesson-end").waitFor();
+  assert.match(await page.locator("#lesson-end").innerText(), /\?/);
+  await page.done();
+});
+
 // --- Numbers as Germans write them ----------------------------------------------------------------------------------
 
 // Types over a field of the panel, as a visitor does, and confirms.

@@ -98,6 +98,10 @@ void show_as(AppState& state, const Lesson& lesson) {
 }
 
 void begin_task(AppState& state, OpenTask task) {
+  for (const Condition& each : task.lesson.task->conditions) {
+    task.asks_for_hold |= each.quantity == "held" || each.quantity == "margin";
+    task.asks_for_failures |= each.quantity == "steady" || each.quantity == "max_after_failure";
+  }
   task.depth = state.work.history.depth();
   if (state.view.presenting) state.view.panel_open = false;
   state.view.task = std::move(task);

@@ -4,11 +4,8 @@
 #pragma once
 
 #include <algorithm>
-#include <initializer_list>
 #include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "state/derived.h"
 #include "state/session.h"
@@ -91,18 +88,13 @@ inline bool stays_by_hand(const AppState& state) {
   return std::find(may.begin(), may.end(), Movable::teams) == may.end();
 }
 
-// Whether the open task, if any, has a condition on one of these quantities (requirements.h); true
-// without a task, since then everything is of interest. O(conditions).
-inline bool is_about(const AppState& state, std::initializer_list<std::string_view> quantities) {
-  if (!state.view.task) return true;
-  const std::vector<Condition>& all = state.view.task->lesson.task->conditions;
-  return std::any_of(all.begin(), all.end(), [&](const Condition& each) {
-    return std::find(quantities.begin(), quantities.end(), each.quantity) != quantities.end();
-  });
+// Whether a hold, or failures, are of interest: always without a task, and in a task if it has a
+// condition on them. O(1).
+inline bool is_about_hold(const AppState& state) {
+  return !state.view.task || state.view.task->asks_for_hold;
 }
-inline bool is_about_hold(const AppState& state) { return is_about(state, {"held", "margin"}); }
 inline bool is_about_failures(const AppState& state) {
-  return is_about(state, {"steady", "max_after_failure"});
+  return !state.view.task || state.view.task->asks_for_failures;
 }
 
 // Returns shown_placement() with its report. O(1).

@@ -229,7 +229,9 @@ struct OpenTask {
   Exercise exercise;
   std::uint64_t number = 1;  // the task's number, as the learner sees it
   bool preview = false;      // the lesson is being written
-  std::size_t depth = 0;     // History::depth() at the opening; below this, the task ends
+  // Whether it has a condition on the hold, and one on the effects of failures.
+  bool asks_for_hold = false, asks_for_failures = false;
+  std::size_t depth = 0;  // History::depth() at the opening; below this, the task ends
 };
 
 struct View {

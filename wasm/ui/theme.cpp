@@ -51,7 +51,7 @@ namespace {
 
 // At least the characters of assets/fonts/subset.py that the page itself writes; those that a font
 // lacks take no room.
-constexpr ImWchar always[] = {0x20, 0xFF, 0x2009, 0x203A, 0x2212, 0x2265};
+constexpr ImWchar always[] = {0x20, 0xFF, 0x2009, 0x203A, 0x2192, 0x2192, 0x2212, 0x2265};
 
 // Rasterised together, since a text seldom needs one character alone.
 constexpr unsigned block = 0x80;

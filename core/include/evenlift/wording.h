@@ -27,7 +27,7 @@ void forget_translations();
 std::string_view translated(std::string_view english);
 
 // A number that is written with a point, as the reader writes it: with the translation of "." in its
-// place. O(bytes).
+// place, which is one character of ASCII. O(bytes).
 std::string as_read(std::string number);
 
 // While one exists, translated() returns each text itself, for texts that users typed: a weight

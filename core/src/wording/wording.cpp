@@ -58,10 +58,7 @@ std::string_view translated(std::string_view english) {
 }
 
 std::string as_read(std::string number) {
-  const std::string_view mark = translated(".");
-  for (std::size_t at = number.find('.'); at != std::string::npos;
-       at = number.find('.', at + mark.size()))
-    number.replace(at, 1, mark);
+  std::replace(number.begin(), number.end(), '.', translated(".")[0]);
   return number;
 }
 
