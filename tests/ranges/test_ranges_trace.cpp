@@ -184,3 +184,23 @@ TEST_CASE("a swap of one team is a choice, of which no other answer is better",
   CHECK(sized > 5);
   CHECK(none > 0);
 }
+
+TEST_CASE("every step tells loads in the document's unit of weight", "[trace]") {
+  for (const Method method : {Method::area, Method::balanced, Method::given}) {
+    Document document = corpus::polygon("grand-piano");
+    document.settings.method = method;
+    if (method == Method::given) document.settings.supports = {{80, 100}, {600, 100}, {200, 700}};
+    document.settings.weight = 6;
+    document.shown.units.weight = WeightUnit::t;
+    const auto trace = make_trace(placed(document), HistoryLength::whole, document.shown.units);
+    REQUIRE(trace.ok());
+    std::size_t told = 0;
+    for (std::uint32_t step = 0; step < trace->size(); ++step) {
+      const std::string text = caption(*trace, look_at(*trace, step));
+      CAPTURE(text);
+      CHECK(text.find("\u00A0kg") == std::string::npos);
+      if (text.find("6\u00A0t in all") != std::string::npos) ++told;
+    }
+    CHECK(told > 0);
+  }
+}

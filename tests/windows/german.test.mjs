@@ -153,6 +153,7 @@ test("German 1.000 is asked about, and what is no doubt is read", async () => {
     ["1.234,5", 1234.5],
     ["1,234.5", 1234.5],
     ["1.000.000", 1e6],
+    ["1 000 kg", 1000],
     ["1,000", 1],
     ["0.125", 0.125],
   ]) {
@@ -169,6 +170,28 @@ test("German 1.000 is asked about, and what is no doubt is read", async () => {
     await idle(page);
     assert.equal((await state(page)).weight, 0.125, typed);
   }
+  await page.done();
+});
+
+test("the keys have their own names, and the experiment's numbers are typed with a comma", async () => {
+  const page = await browser.open({ address: "?lang=de" });
+  const keys = await openWindow(page, "keys");
+  assert.match(await keys.innerText(), /Kleinstes Lastverhältnis erhöhen\s*\./);
+  await page.keyboard.press("Escape");
+  await allClosed(page);
+  await openWindow(page, "experiment");
+  const ratio = page.locator("#experiment").getByLabel("Kleinstes Lastverhältnis");
+  assert.equal(await ratio.inputValue(), "0,8");
+  await ratio.evaluate((field) => {
+    field.value = "0,85";
+    field.dispatchEvent(new Event("input"));
+  });
+  assert.equal(await ratio.evaluate((field) => field.validity.valid), true);
+  await ratio.evaluate((field) => {
+    field.value = "85";
+    field.dispatchEvent(new Event("input"));
+  });
+  assert.equal(await ratio.evaluate((field) => field.validationMessage), "Geben Sie eine Zahl von 0 bis 1 ein.");
   await page.done();
 });
 

@@ -289,7 +289,7 @@ const RatioRow ratios[] = {
      [](double value) { return exact_percentage(value); }},
     {&Carrying::acceleration, Setting::acceleration, 0.05, "acceleration", "Braked at",
      "Greatest acceleration along the ground in any direction, in g, or with its unit: 2 m/s2",
-     "Greatest acceleration, in g", [](double value) { return plain(value) + "\u00A0g"; },
+     "Greatest acceleration, in g", [](double value) { return significant(value, 3) + "\u00A0g"; },
      [](double value) { return shortest(value); }},
     {&Carrying::dynamic, Setting::dynamic, 0.05, "dynamic", "Dynamic factor",
      "Factor on the greatest loads before they meet a capacity: a crane's lift 1.1 to 1.3",

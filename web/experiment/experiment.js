@@ -1,7 +1,7 @@
 // The window that compares the methods, on the open polygon or on many, as chapter 5 of the thesis does.
 import { runExperiment } from "./worker_pool.js";
 import { ensureStyles, openWindow, problemLine } from "../kit/dialogs.js";
-import { button, download, el } from "../kit/elements.js";
+import { button, download, el, typedNumber } from "../kit/elements.js";
 import { showResults } from "./experiment_results.js";
 import { ownFiles, samples, thesisLike, thisPolygon } from "./experiment_sources.js";
 import { asRead, number } from "../words/numbers.js";
@@ -18,6 +18,24 @@ function withoutTeams({ figures }) {
 }
 
 let kept; // the last results and what they describe, even after closing the window
+
+// A number as the reader writes it, within limits.
+function numberField({ value, min, max, whole = false }) {
+  const field = el("input", {
+    class: "field",
+    type: "text",
+    size: "6",
+    inputmode: whole ? "numeric" : "decimal",
+    autocomplete: "off",
+    value: asRead(String(value)),
+  });
+  field.addEventListener("input", () => {
+    const typed = typedNumber(field.value);
+    const isGood = typed >= min && typed <= max && (!whole || Number.isInteger(typed));
+    field.setCustomValidity(isGood ? "" : say("Type a number from {min} to {max}.", { min, max: number(max) }));
+  });
+  return field;
+}
 
 const polygons = (n) => (n === 1 ? translated("1 polygon") : say("{number} polygons", { number: number(n) }));
 
@@ -98,53 +116,22 @@ class ExperimentWindow {
       );
     this.own = el("span", {}, "My files");
     this.choose = button("Choose files …", { onclick: () => this.file.click() }, "file");
-    this.samples = el("input", {
-      class: "field",
-      type: "number",
-      min: "1",
-      max: "100000",
-      step: "1",
-      value: "200",
-      inputmode: "numeric",
-    });
-    this.ratio = el("input", {
-      class: "field",
-      type: "number",
-      min: "0",
-      max: "1",
-      step: "any",
-      value: "0.8",
-      inputmode: "decimal",
-    });
+    this.samples = numberField({ value: 200, min: 1, max: 100000, whole: true });
+    this.ratio = numberField({ value: 0.8, min: 0, max: 1 });
     this.ratioLabel = el("label", {}, "Minimum load ratio ", this.ratio);
     // Enough for clear curves.
-    this.most = el("input", {
-      class: "field",
-      type: "number",
-      min: "1",
-      max: "10000",
-      step: "1",
-      value: "30",
-      inputmode: "numeric",
-    });
+    this.most = numberField({ value: 30, min: 1, max: 10000, whole: true });
     this.mostLabel = el("label", {}, "Max. teams ", this.most);
     // Up to 12, as `evenlift experiment` measures, takes five times as long as up to 8.
-    this.balanced = el("input", {
-      class: "field",
-      type: "number",
-      min: "2",
-      max: "64",
-      step: "1",
-      value: "8",
-      inputmode: "numeric",
-    });
+    this.balanced = numberField({ value: 8, min: 2, max: 64, whole: true });
     this.ownSettings = el(
       "p",
       { class: "second" },
-      say(
-        "With its own centre of mass, minimum load ratio {minRatio} and weight {weight} {weightUnit}.",
-        this.#polygon,
-      ),
+      say("With its own centre of mass, minimum load ratio {minRatio} and weight {weight} {weightUnit}.", {
+        ...this.#polygon,
+        minRatio: asRead(String(this.#polygon.minRatio)),
+        weight: number(this.#polygon.weight),
+      }),
     );
     return el(
       "form",
@@ -229,14 +216,14 @@ class ExperimentWindow {
   }
 
   async #plan() {
-    const random = this.samples.valueAsNumber,
-      mostBalanced = this.balanced.valueAsNumber;
+    const random = typedNumber(this.samples.value),
+      mostBalanced = typedNumber(this.balanced.value);
     const upTo = say("At most {number} balanced robots are measured, since the search for more takes longer.", {
       number: number(mostBalanced),
     });
     if (this.#chosen === "this") {
       const { minRatio, weight, weightUnit, points } = this.#polygon;
-      const mostTeams = this.most.valueAsNumber;
+      const mostTeams = typedNumber(this.most.value);
       const measured = say(
         "This polygon at a minimum load ratio of {minRatio} and a weight of {weight} {unit}, with up to one team for each candidate, at most {most}.",
         { minRatio: asRead(String(minRatio)), weight: number(weight), unit: weightUnit, most: number(mostTeams) },
@@ -254,7 +241,7 @@ class ExperimentWindow {
     }
     const tasks = await { samples, thesis: thesisLike, files: async () => ownFiles(this.#files) }[this.#chosen]();
     const names = { samples: "All samples", thesis: "A set like the thesis’s", files: "My files" };
-    const minRatio = this.ratio.valueAsNumber;
+    const minRatio = typedNumber(this.ratio.value);
     return {
       tasks,
       counting: "{done} of {all} polygons: {title}",
@@ -262,7 +249,7 @@ class ExperimentWindow {
       caption: `${say("{set}: {polygons}, at a minimum load ratio of {minRatio} and a weight of 100 kg.", {
         set: names[this.#chosen],
         polygons: polygons(tasks.length),
-        minRatio,
+        minRatio: asRead(String(minRatio)),
       })} ${upTo}`,
     };
   }

@@ -18,6 +18,9 @@ const twoWithUnits = new RegExp(
   `^\\(?\\s*(${typedForm})\\s*(${unit})(?:\\s*[;,]\\s*|\\s+)(${typedForm})\\s*(${unit})\\s*\\)?$`,
 );
 
+// "1 000 kg" as one number.
+const joined = (text) => text.replace(/^[-+]?\d{1,3}(?: \d{3})+(?!\d)/, (digits) => digits.replaceAll(" ", ""));
+
 // In mm and in kg, each as a fraction so that nothing is rounded here. 1 kg weighs 9.80665 N.
 const kinds = [
   { name: "length", units: { m: [1000, 1], cm: [10, 1], mm: [1, 1], in: [25.4, 1] } },
@@ -108,7 +111,7 @@ export function settingValue(typed, setting = "", own = "") {
   if (setting.startsWith("readings")) return text.replaceAll(";", " ");
   if (setting === "heading") return twoWithComma.test(text) ? text.replaceAll(" ", "") : withPoint(text);
   if (ratios.includes(setting)) return percents.includes(setting) ? slopeValue(text) : withPoint(text);
-  const single = setting === "com" ? null : one.exec(text); // here "10,20" means two numbers
+  const single = setting === "com" ? null : one.exec(joined(text)); // here "10,20" means two numbers
   if (single) return single[2] ? (converted(single[1], single[2], own) ?? text) : withPoint(single[1]);
   const pair = two.exec(text);
   if (pair) return `${withPoint(pair[1])},${withPoint(pair[2])}`;

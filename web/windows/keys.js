@@ -12,7 +12,7 @@ function rows(program) {
   return program.json("page_keys").map(({ group, key, label }) => ({
     group: groups[group],
     key: parts(onMac ? key.replace("Ctrl", "Cmd") : key)
-      .map(translated)
+      .map((part) => (part.length > 1 ? translated(part) : part))
       .join(""),
     label: translated(label),
   }));
@@ -22,7 +22,7 @@ const parts = (key) => key.split(/(\+(?=.)|, | (?=.$))/).filter(Boolean);
 
 // "Ctrl+Z" as <kbd>Ctrl</kbd>+<kbd>Z</kbd>.
 function keyed(key) {
-  return parts(key).map((part) => (/^(\+|, | )$/.test(part) && key !== "+" ? part : el("kbd", {}, part)));
+  return parts(key).map((part) => (/^(\+|, | )$/.test(part) && key !== "+" ? part : el("kbd", {}, new Text(part))));
 }
 
 // About links to this list, so it is not imported.

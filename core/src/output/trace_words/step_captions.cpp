@@ -370,7 +370,8 @@ std::string StepCaptions::base() const {
 }
 
 std::string StepCaptions::fewer() const {
-  if (placement_.teams.empty()) return verdict(placement_);
+  const Shown shown = shown_in(trace_.units);
+  if (placement_.teams.empty()) return verdict({placement_, shown});
   return fill(trace_.by_candidates()
                   ? "Only {teams} of the {requested} requested teams: no candidate is left."
                   : "Only {teams} of the {requested} requested teams: no further place was left.",
@@ -394,9 +395,11 @@ std::string StepCaptions::share() const {
 
 std::string StepCaptions::loads() const {
   const LoadSummary& loads = *placement_.loads;
-  if (trace_.given()) return loads_in_words(placement_);
+  const Shown shown = shown_in(trace_.units);
+  const ShownPlacement of(placement_, shown);
+  if (trace_.given()) return loads_in_words(of);
   // If the model is not the plan's, the text begins with "As planned".
-  const std::string planned = loads_in_words({placement_, Asked{.model = LoadModel::springs}});
+  const std::string planned = loads_in_words({of, Asked{.model = LoadModel::springs}});
   if (trace_.balanced()) return planned;
   return sentences({planned, written(load(loads.min)) == written(load(loads.max))
                                  ? "All carry the same load."
@@ -472,10 +475,11 @@ std::string StepCaptions::second_order() const {
 }
 
 std::string StepCaptions::result() const {
-  const std::string text = verdict(placement_);
+  const Shown shown = shown_in(trace_.units);
+  const std::string text = verdict({placement_, shown});
   if (!trace_.moved) return text;
-  return sentences(
-      {text, "Then robots were moved by hand. Where they stand now:", verdict(*trace_.moved)});
+  return sentences({text, "Then robots were moved by hand. Where they stand now:",
+                    verdict({*trace_.moved, shown})});
 }
 
 }  // namespace evenlift

@@ -59,8 +59,8 @@ std::string written(const Piece& piece) {
     case Piece::Kind::ratio:
       return ratio_written(piece.a, piece.b);
     case Piece::Kind::point:
-      return '(' + number_written(piece.a, piece.a, piece.c) + ", " +
-             number_written(piece.b, piece.b, piece.c) + ')';
+      return say("({x}, {y})", {number_written(piece.a, piece.a, piece.c),
+                                number_written(piece.b, piece.b, piece.c)});
     case Piece::Kind::fixed:
       return fixed(piece.a, static_cast<int>(piece.b));
     case Piece::Kind::amount:
