@@ -369,9 +369,13 @@ std::string StepCaptions::base() const {
       {counted(detail_.base.size(), "corner"), covers});
 }
 
-std::string StepCaptions::fewer() const {
+std::string StepCaptions::verdict_of(const Placement& placement) const {
   const Shown shown = shown_in(trace_.units);
-  if (placement_.teams.empty()) return verdict({placement_, shown});
+  return verdict({placement, shown});
+}
+
+std::string StepCaptions::fewer() const {
+  if (placement_.teams.empty()) return verdict_of(placement_);
   return fill(trace_.by_candidates()
                   ? "Only {teams} of the {requested} requested teams: no candidate is left."
                   : "Only {teams} of the {requested} requested teams: no further place was left.",
@@ -395,11 +399,11 @@ std::string StepCaptions::share() const {
 
 std::string StepCaptions::loads() const {
   const LoadSummary& loads = *placement_.loads;
-  const Shown shown = shown_in(trace_.units);
-  const ShownPlacement of(placement_, shown);
-  if (trace_.given()) return loads_in_words(of);
+  if (trace_.given()) return falls();  // or how they carry it
   // If the model is not the plan's, the text begins with "As planned".
-  const std::string planned = loads_in_words({of, Asked{.model = LoadModel::springs}});
+  const Shown shown = shown_in(trace_.units);
+  const std::string planned =
+      loads_in_words({{placement_, shown}, Asked{.model = LoadModel::springs}});
   if (trace_.balanced()) return planned;
   return sentences({planned, written(load(loads.min)) == written(load(loads.max))
                                  ? "All carry the same load."
@@ -475,11 +479,10 @@ std::string StepCaptions::second_order() const {
 }
 
 std::string StepCaptions::result() const {
-  const Shown shown = shown_in(trace_.units);
-  const std::string text = verdict({placement_, shown});
+  const std::string text = verdict_of(placement_);
   if (!trace_.moved) return text;
-  return sentences({text, "Then robots were moved by hand. Where they stand now:",
-                    verdict({*trace_.moved, shown})});
+  return sentences(
+      {text, "Then robots were moved by hand. Where they stand now:", verdict_of(*trace_.moved)});
 }
 
 }  // namespace evenlift

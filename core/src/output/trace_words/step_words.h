@@ -131,6 +131,7 @@ class StepCaptions : LookedAtStep {
   std::string scores() const;
   std::string team() const;
   std::string base() const;
+  std::string verdict_of(const Placement& placement) const;  // in the units of the trace
   std::string fewer() const;
   std::string share() const;
   std::string loads() const;
