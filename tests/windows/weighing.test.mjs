@@ -104,6 +104,16 @@ test("Tab leads from reading to reading, and readings go with a robot that is de
   await page.getByRole("button", { name: "Delete robot 2", exact: true }).click();
   await idle(page);
   assert.deepEqual(await shown(), ["169", "100", ""], "each with its own robot");
+  // From the last one to what follows from them.
+  await read(page, ["169", "100"]);
+  await fields(page).nth(2).focus();
+  await page.keyboard.type("40");
+  await page.keyboard.press("Tab");
+  await idle(page);
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), "Take over");
+  await fields(page).nth(2).fill("");
+  await fields(page).nth(2).press("Enter");
+  await idle(page);
   // Without the robot that had none, all are known.
   await page.getByRole("button", { name: "Add a robot", exact: true }).click();
   await idle(page);

@@ -503,6 +503,10 @@ class Table {
       const vertex = this.#vertexOf(input);
       if (vertex >= 0 && !input.hasAttribute("aria-invalid"))
         this.#focus(vertex - this.#from + (up ? -1 : 1), this.#rows[vertex - this.#from].inputs.indexOf(input));
+    } else if (key === "Tab" && !event.shiftKey && input === this.#rows.at(-1)?.inputs[2]) {
+      if (typed) this.#commit(input);
+      if (input.hasAttribute("aria-invalid") || this.weighed.takeOver.hidden) return;
+      this.weighed.takeOver.focus(); // not the button that deletes this robot
     } else {
       return;
     }
