@@ -284,6 +284,14 @@ export async function press(page, name) {
   await page.mouse.click(...middle);
 }
 
+// Types over a field of the panel as users do, with Enter at the end.
+export async function type(page, name, text) {
+  await press(page, name);
+  await page.keyboard.type(text);
+  await page.keyboard.press("Enter");
+  await idle(page);
+}
+
 export async function tap(page, name) {
   const { middle } = await control(page, name);
   await page.touchscreen.tap(...middle);

@@ -19,6 +19,7 @@ import {
   state,
   tap,
   toScreen,
+  type,
 } from "./browser.mjs";
 import { noticed, paste } from "./windows.mjs";
 
@@ -77,14 +78,6 @@ test("a number is clicked and typed over, with its unit and a decimal comma or w
   assert.equal((await state(page)).min_ratio, 0.455);
   await page.done();
 });
-
-// As users do, with Enter at the end.
-async function type(page, name, text) {
-  await press(page, name);
-  await page.keyboard.type(text);
-  await page.keyboard.press("Enter");
-  await idle(page);
-}
 
 test("a number with another unit of the same kind is converted, not taken as it stands", async () => {
   const page = await browser.open();

@@ -13,6 +13,7 @@ import {
   sharedBrowser,
   state,
   summary,
+  type,
 } from "../page/browser.mjs";
 import { allClosed, openWindow } from "../page/windows.mjs";
 
@@ -116,13 +117,6 @@ test("cards over the drawing have their words in German, too: a task's, a challe
 
 // --- Numbers as Germans write them ----------------------------------------------------------------------------------
 
-// Types over a field of the panel, as a visitor does, and confirms.
-async function type(page, name, text) {
-  await press(page, name);
-  await page.keyboard.type(text);
-  await page.keyboard.press("Enter");
-  await idle(page);
-}
 const shownIn = async (page, label) => plain(await page.locator(`#mirror input[aria-label="${label}"]`).inputValue());
 const plain = (text) => text.replaceAll("\u00a0", " ");
 

@@ -75,8 +75,8 @@ bool on_vertex(const AppState& s);  // a vertex or a weight is selected
 bool on_ring(const AppState& s);    // a vertex of the outline or of a hole is selected
 bool on_robot(const AppState& s);   // the card of a movable robot is open
 bool can_change_method(const AppState& s);
-bool by_own_hand(const AppState& s);  // the robots are placed by hand
-bool can_weigh(const AppState& s);
+bool by_own_hand(const AppState& s);   // the robots are placed by hand
+bool can_weigh(const AppState& s);     // no challenge or task is open
 bool is_weighed(const AppState& s);    // the robots have readings, which give the weight and C
 bool can_even_out(const AppState& s);  // the robots are placed by hand, but not in a challenge
 bool on_own_robot(const AppState& s);  // the robots are placed by hand, and the card of one is open

@@ -38,7 +38,9 @@ bool by_own_hand(const AppState& s) {
 
 bool can_change_method(const AppState& s) { return editing(s) && !stays_by_hand(s); }
 
-bool can_weigh(const AppState& s) { return has_teams_number(s) && !s.view.task; }
+bool can_weigh(const AppState& s) {
+  return has_teams_number(s) && !s.view.challenge && !s.view.task;
+}
 
 bool is_weighed(const AppState& s) {
   return editing(s) && s.derived().placement && s.derived().placement->weighing;

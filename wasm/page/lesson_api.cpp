@@ -200,9 +200,9 @@ EMSCRIPTEN_KEEPALIVE const char* page_lesson_answer() {
 }
 
 // The open task and its goals: {"title", "words", "may", "goals": [{"words", "value",
-// "kept"}], "changed", "kept", "begun", "number", "numbered"}. `begun` is whether the learner has changed
-// anything. If `numbered`, another number of the learner
-// makes another task. Empty without a task.
+// "kept"}], "changed", "kept", "begun", "number", "numbered"}. `begun` is whether the learner has
+// changed anything. If `numbered`, another number of the learner makes another task. Empty without a
+// task.
 EMSCRIPTEN_KEEPALIVE const char* page_task() {
   const AppState& state = app().state;
   if (!state.view.task) return hand_over({});

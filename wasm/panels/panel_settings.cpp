@@ -198,7 +198,7 @@ void draw_supports_stepper(const Ui& ui) {
   if (ImGui::IsItemHovered()) tip(ui, "Move two or three robots so that all carry the same load");
   if (!ui.state.view.task) {
     if (flat_button(ui, "weigh", "Weigh it …", ImGui::GetContentRegionAvail().x))
-      ui.push(OpenDialog{Dialog::weigh});
+      action(ActionId::weigh).run(ui.state, ui.commands);
     if (ImGui::IsItemHovered()) tip(ui, "Type what the robots read: this tells the weight and C");
   }
   draw_score(ui);

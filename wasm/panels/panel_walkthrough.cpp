@@ -160,8 +160,10 @@ void draw_walkthrough_step(const Ui& ui) {
   const Walkthrough& walk = ui.state.view.walkthrough;
   const float button = ui.layout.wide ? ui.control() : 0;  // in the corner
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 8));
-  if (walk.script)
+  if (walk.script) {
+    const AsTyped typed;
     text_block(Face::strong_label, ui.theme.accent, walk.script->lesson.title, button);
+  }
   text_block(Face::verdict, ui.theme.text, std::string(title(walk.detail.step.chapter)),
              walk.script ? 0 : button);
   text_line(Face::label, ui.theme.second_text, say("Step {place}", {place_in_words(ui.state)}));

@@ -2,7 +2,7 @@
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { button, download, el } from "../kit/elements.js";
 import { askOnce } from "../page/core.js";
-import { asRead, number, withPointIn } from "../words/numbers.js";
+import { asRead, number, readingsIn, withPointIn } from "../words/numbers.js";
 import { asTyped, say, translated } from "../words/words.js";
 import { lengthUnit, smallPicture } from "./shapes.js";
 
@@ -102,10 +102,16 @@ class Parts {
   }
 
   async place() {
+    const fields = Object.entries(this.fields).map(([name, { input }]) => [name, input.value.trim()]);
+    const [, doubtful] = fields.find(([, value]) => readingsIn(value)) ?? [];
+    if (doubtful) {
+      const values = { text: doubtful, ...readingsIn(doubtful) };
+      return this.problem.say(say("“{text}” may mean {whole} or {decimal}: type one of these", values));
+    }
     this.end();
     this.#stop = new AbortController();
     const { signal } = this.#stop;
-    const typed = Object.entries(this.fields).map(([name, { input }]) => [name, withPointIn(input.value.trim())]);
+    const typed = fields.map(([name, value]) => [name, withPointIn(value)]);
     this.#rows = [];
     this.#shown = atOnce;
     this.problem.say("");

@@ -32,8 +32,10 @@ export function withPoint(typed) {
   return text.replaceAll(/[.,]/g, (each) => (each === decimal ? "." : ""));
 }
 
+const first = new RegExp(typedForm);
+
 // A text whose first number is read so, such as 15,6/m2.
-export const withPointIn = (text) => text.replace(new RegExp(typedForm), withPoint);
+export const withPointIn = (text) => text.replace(first, withPoint);
 
 // The two readings of a number whose only mark may part thousands or decimals, as 1.000 for those who write 1,5 and
 // 1,000 for those who write 1.5; undefined for others. Each is written without a doubt.
@@ -44,3 +46,6 @@ export function readings(typed) {
   const [, whole, rest] = found;
   return { whole: whole + rest, decimal: asRead(String(Number(`${whole}.${rest}`))) };
 }
+
+// Those of the first number of a text, such as 1.000 kg/m2.
+export const readingsIn = (text) => readings(first.exec(text)?.[0] ?? "");

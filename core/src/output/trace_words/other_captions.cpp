@@ -350,11 +350,6 @@ std::string StepCaptions::extremes() const {
       {load(models->best), load(*std::max_element(models->worst.begin(), models->worst.end()))});
 }
 
-std::string StepCaptions::falls() const {
-  const Shown shown = shown_in(trace_.units);
-  return loads_in_words({placement_, shown});
-}
-
 std::string StepFormulas::equations() const {
   const Vec2& centre = trace_.centre;
   return fill("Σ Wi = W = {weight}, Σ Wi xi = W × {x}, Σ Wi yi = W × {y}",

@@ -398,13 +398,13 @@ std::string StepCaptions::share() const {
 }
 
 std::string StepCaptions::loads() const {
-  const LoadSummary& loads = *placement_.loads;
-  if (trace_.given()) return falls();  // or how they carry it
-  // If the model is not the plan's, the text begins with "As planned".
   const Shown shown = shown_in(trace_.units);
-  const std::string planned =
-      loads_in_words({{placement_, shown}, Asked{.model = LoadModel::springs}});
+  const ShownPlacement of(placement_, shown);
+  if (trace_.given()) return loads_in_words(of);  // or that the object falls
+  // If the model is not the plan's, the text begins with "As planned".
+  const std::string planned = loads_in_words({of, Asked{.model = LoadModel::springs}});
   if (trace_.balanced()) return planned;
+  const LoadSummary& loads = *placement_.loads;
   return sentences({planned, written(load(loads.min)) == written(load(loads.max))
                                  ? "All carry the same load."
                                  : fill("The arms are unequal, so the spread of loads is {spread}.",

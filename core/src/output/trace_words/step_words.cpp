@@ -282,7 +282,7 @@ constexpr StepRow steps[] = {
     {StepKind::by_areas,     &C::by_areas,     &F::by_areas,   always<S::springs>},
     {StepKind::by_springs,   &C::by_springs,   &F::by_springs, always<S::springs>},
     {StepKind::extremes,     &C::extremes,     &F::extremes,   always<S::springs>},
-    {StepKind::falls,        &C::falls,        &F::none,       always<S::equations>},
+    {StepKind::falls,        &C::loads,        &F::none,       always<S::equations>},
     {StepKind::cargo,        &C::cargo,        &F::cargo,      always<S::cargo>},
 };
 // clang-format on

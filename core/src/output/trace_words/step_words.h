@@ -131,7 +131,6 @@ class StepCaptions : LookedAtStep {
   std::string scores() const;
   std::string team() const;
   std::string base() const;
-  std::string verdict_of(const Placement& placement) const;  // in the units of the trace
   std::string fewer() const;
   std::string share() const;
   std::string loads() const;
@@ -165,7 +164,6 @@ class StepCaptions : LookedAtStep {
   std::string by_areas() const;
   std::string by_springs() const;
   std::string extremes() const;
-  std::string falls() const;
   std::string cargo() const;
 
  private:
@@ -173,6 +171,7 @@ class StepCaptions : LookedAtStep {
   Piece ratio(double value) const;
   Piece least() const;
   Vec2 far_end(const Chord& chord, std::uint32_t vertex) const;
+  std::string verdict_of(const Placement& placement) const;  // in the units of the trace
   std::string facing() const;
   std::string standing(const PairDetail& pair) const;
   std::string same_chord(std::uint32_t candidate) const;
