@@ -211,6 +211,8 @@ export interface PlaceOptions extends Settings, PolygonOptions, WeightOptions {
   failures?: boolean | null;
   /** Moves two or three supports to the edge so that all carry the same load. */
   even_out?: boolean | null;
+  /** Leaves out supports and holes that do not fit the object, instead of refusing it. */
+  keep_misfits?: boolean | null;
   /** The loads in each case. */
   cases?: boolean | null;
   /** Conditions, such as `held, max<=20`. */
@@ -227,6 +229,8 @@ export interface PartsOptions extends PlaceOptions {
 export interface SvgOptions extends Settings, PolygonOptions {
   /** Shows the candidates. */
   candidates?: boolean | null;
+  /** Leaves out supports and holes that do not fit the object. */
+  keep_misfits?: boolean | null;
 }
 
 /** How robots' poses are written. */
@@ -298,6 +302,8 @@ export interface Robot {
   heading: number | null;
   /** Only a support stands beneath. */
   place: "edge" | "beneath";
+  /** Its number among `supports`, counted from 0, if some are left out. */
+  support?: number;
 }
 
 /** The loads by the models springs, best and worst. */
@@ -588,6 +594,15 @@ export interface LoadCase {
   stays: boolean;
 }
 
+/** A support or a hole that does not fit the object. */
+export interface LeftOut {
+  kind: "support" | "hole";
+  /** Counted from 0. */
+  index: number;
+  /** The hole that the support is in; `null` outside the object. */
+  in_hole: number | null;
+}
+
 /** A support that was moved to even out the loads. */
 export interface EvenedOut {
   /** Counted from 0. */
@@ -693,6 +708,8 @@ export interface Placement {
   held: boolean;
   /** The page's judgement. */
   verdict: Verdict;
+  /** With `keep_misfits` only: supports and holes that do not fit the object, and do not count. */
+  left_out?: LeftOut[];
   /** With `given` only: the supports that do not fit. */
   misfits?: Misfit[];
   /** With `given`, and only if the object falls: the one or two robots over which it tips, counted from 0. */

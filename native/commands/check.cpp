@@ -33,7 +33,7 @@ Marked mark(const HandedIn& handed_in, const LessonText& lesson, std::uint64_t n
     marked.problem = document.error().message;
     return marked;
   }
-  const Result<Placement> placement = place(*document);
+  const Result<Placement> placement = place(*document, Effort::whole, Misfitting::left_out);
   if (!placement) {
     marked.problem = placement.error().message;
     return marked;

@@ -37,7 +37,7 @@ struct PlaceOptions {
   WeightByArea weight;
   TableOptions table;
   RobustnessOptions robustness;
-  bool as_json = false, candidates = false, even_out = false, cases = false;
+  bool as_json = false, candidates = false, even_out = false, cases = false, keep_misfits = false;
   std::optional<std::string> require;
   std::optional<std::string> svg;
   PoseFileOptions poses;
@@ -48,6 +48,10 @@ struct PlaceOptions {
   // without a unit was read. Throws Failure with the option's name if a value is invalid.
   void apply_weight(Document& document) const;
   void explain_weight(const Units& units) const;
+
+  Misfitting misfitting() const {
+    return keep_misfits ? Misfitting::left_out : Misfitting::refused;
+  }
 
   // Returns the conditions of --require. Throws Failure if they are invalid.
   std::vector<Condition> conditions() const;

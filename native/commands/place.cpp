@@ -29,7 +29,8 @@ std::string robot_table(const Reported& of, const LoadColumn& loads) {
   if (report.has_capacities) rows[0].insert(rows[0].end(), {"use", loads.overloaded});
   for (std::size_t i = 0; i < team.robots.size(); ++i) {
     const bool carries = placement.loads.has_value();
-    rows.push_back({std::to_string(i + 1), words.at[i], carries ? loads.text[i] : "-"});
+    rows.push_back(
+        {std::to_string(placement.number_of(i)), words.at[i], carries ? loads.text[i] : "-"});
     if (given)
       rows.back().insert(rows.back().begin() + 2,
                          team.robots[i].point.edge == beneath ? "beneath" : "at the edge");
@@ -184,7 +185,7 @@ void check_outputs(const PlaceOptions& options, const std::optional<PosesAsked>&
 
 // Replaces the document, and returns what was moved.
 std::vector<SupportMove> even_out(Input& input, const PlaceOptions& options) {
-  Result<Document> even = with_even_supports(input.document);
+  Result<Document> even = with_even_supports(input.document, options.misfitting());
   if (!even) throw options.input.settings.failure(input.source, even.error());
   std::vector<SupportMove> moves = support_moves(input.document, *even);
   input.document = *std::move(even);
@@ -201,7 +202,7 @@ Outputs make_outputs(const Input& input, const PlaceOptions& options,
                      const std::optional<PosesAsked>& poses, Asked asked,
                      const std::vector<Condition>& conditions, Beside beside) {
   Waiting waiting("placing the robots");
-  const Result<Placement> placement = place(input.document);
+  const Result<Placement> placement = place(input.document, Effort::whole, options.misfitting());
   if (!placement) throw options.input.settings.failure(input.source, placement.error());
   const ShownPlacement shown(*placement, input.document.shown);
   if (input.document.settings.method == Method::given)

@@ -37,6 +37,7 @@ PartsAsked asked_of(const PlaceOptions& options) {
   asked.weight_by_area = options.weight.typed();
   asked.number_chosen = typed.typed(Setting::teams) || typed.typed(Setting::robots);
   asked.even_out = options.even_out;
+  asked.misfitting = options.misfitting();
   asked.failures = options.robustness.failures;
   if (options.robustness.loads) asked.model = loads_option(*options.robustness.loads);
   asked.as_json = options.as_json;

@@ -23,6 +23,8 @@ void PlaceOptions::declare(CommandLine& line) {
   input.settings.declare(line, OptionGroup::units);
   robustness.declare(line);
   line.flag(even_out, "--even-out", "move given supports to the nearest places with equal loads");
+  line.flag(keep_misfits, "--keep-misfits",
+            "leave out supports and holes that do not fit the object, instead of refusing it");
   line.flag(cases, "--cases", "the loads in each case: each condition alone, all, each failure");
   line.value(require, "--require", "\"CONDITION, ...\"",
              "such as \"held, coverage>=0.8, max<=20\"; exit status 3 if one is not kept");

@@ -45,18 +45,18 @@ const char* heading(LoadModel model) {
 }
 
 // "2, 5"; "-" for an empty list.
-std::string numbers_from_1(const std::vector<std::size_t>& robots) {
+std::string numbers_of(const Placement& placement, const std::vector<std::size_t>& robots) {
   std::string text;
   for (const std::size_t robot : robots)
-    text += (text.empty() ? "" : ", ") + std::to_string(robot + 1);
+    text += (text.empty() ? "" : ", ") + std::to_string(placement.number_of(robot));
   return text.empty() ? "-" : text;
 }
 
 std::string yes_or_no(bool value) { return value ? "yes" : "no"; }
 
-Row failure_row(std::size_t robot, std::size_t team, const std::optional<RestOfRobots>& rest,
+Row failure_row(std::uint32_t number, std::size_t team, const std::optional<RestOfRobots>& rest,
                 double largest, bool with_disturbance) {
-  Row row = {std::to_string(robot + 1), std::to_string(team + 1), yes_or_no(rest.has_value())};
+  Row row = {std::to_string(number), std::to_string(team + 1), yes_or_no(rest.has_value())};
   if (!rest) {
     row.resize(with_disturbance ? 12 : 10, "-");
     return row;
@@ -149,11 +149,12 @@ std::string failure_table(const Reported& of) {
   if (capacities) rows[0].push_back(with_disturbance ? "can be overloaded" : "overloaded");
   for (std::size_t robot = 0; robot < failures.size(); ++robot) {
     const std::optional<RestOfRobots>& rest = failures[robot];
-    rows.push_back(failure_row(robot, find_robot(of.placement.teams, robot).team, rest, largest,
+    rows.push_back(failure_row(of.placement.number_of(robot),
+                               find_robot(of.placement.teams, robot).team, rest, largest,
                                with_disturbance));
     if (capacities)
-      rows.back().push_back(rest && rest->stays ? numbers_from_1(overloaded_robots(of, rest->ends))
-                                                : "-");
+      rows.back().push_back(
+          rest && rest->stays ? numbers_of(of.placement, overloaded_robots(of, rest->ends)) : "-");
   }
   return table(rows);
 }

@@ -53,6 +53,8 @@ constexpr TypeMember place_options[] = {
     {"failures?", "boolean | null", "the effect of each robot's failure"},
     {"even_out?", "boolean | null",
      "moves two or three supports to the edge so that all carry the same load"},
+    {"keep_misfits?", "boolean | null",
+     "leaves out supports and holes that do not fit the object, instead of refusing it"},
     {"cases?", "boolean | null", "[the loads in each case](who-bears-what.md#cases)"},
     {"require?", "string", "[conditions](cli.md#conditions), such as `held, max<=20`"}};
 constexpr TypeMember weight_options[] = {
@@ -64,7 +66,9 @@ constexpr TypeMember weight_options[] = {
 constexpr TypeMember parts_options[] = {
     {"sort?", R"("file" | "number" | "name" | "area" | "weight" | "load")",
      "the order of the parts, default `file`"}};
-constexpr TypeMember svg_options[] = {{"candidates?", "boolean | null", "shows the candidates"}};
+constexpr TypeMember svg_options[] = {{"candidates?", "boolean | null", "shows the candidates"},
+                                      {"keep_misfits?", "boolean | null",
+                                       "leaves out supports and holes that do not fit the object"}};
 constexpr TypeMember poses_options[] = {
     {"format?", R"("csv" | "json" | "yaml")", "default `json`; `yaml` is a PoseArray of ROS 2"},
     {"frame?", "string", "the frame's name, default `object`"},
@@ -93,6 +97,7 @@ constexpr TypeMember request[] = {
     {"candidates?", "boolean | null", ""},
     {"failures?", "boolean | null", ""},
     {"even_out?", "boolean | null", ""},
+    {"keep_misfits?", "boolean | null", ""},
     {"require?", "string", ""},
     {"format?", R"("csv" | "json" | "yaml")", ""},
     {"frame?", "string", ""},
@@ -126,7 +131,12 @@ constexpr TypeMember robot[] = {
     {"heading", "number | null",
      "the direction of the inward normal in degrees, above −180 and up to 180 (at a vertex, the bisector of the normals of "
      "its two edges); `null` beneath the object"},
-    {"place", R"("edge" | "beneath")", "only a support stands beneath"}};
+    {"place", R"("edge" | "beneath")", "only a support stands beneath"},
+    {"support?", "integer", "its number among `supports`, counted from 0, if some are left out"}};
+constexpr TypeMember left_out[] = {
+    {"kind", R"("support" | "hole")", ""},
+    {"index", "integer", "counted from 0"},
+    {"in_hole", "integer | null", "the hole that the support is in; `null` outside the object"}};
 
 constexpr TypeMember load_models[] = {
     {"springs", "number[]", "in the order of `robots`, like `worst`"},
@@ -389,6 +399,8 @@ constexpr TypeMember placement[] = {
      "whether the robots hold the object: in form closure even without the contacts nearer than `clear` to a corner, or to "
      "second order"},
     {"verdict", "Verdict", "the page's judgement"},
+    {"left_out?", "LeftOut[]",
+     "with `keep_misfits` only: supports and holes that do not fit the object, and do not count"},
     {"misfits?", "Misfit[]", "with `given` only: the supports that do not fit"},
     {"tips_over?", "integer[]",
      "with `given`, and only if the object falls: the one or two robots over which it tips, counted from 0"},
@@ -569,6 +581,7 @@ constexpr Type types[] = {
     {"Effective", "The values of settings whose defaults depend on the object.", effective},
     {"Weighing", "What the readings of supports tell.", weighing},
     {"LoadCase", "A case of loading.", load_case},
+    {"LeftOut", "A support or a hole that does not fit the object.", left_out},
     {"EvenedOut", "A support that was moved to even out the loads.", evened_out},
     {"Placement", "What evenlift place --json prints.", placement},
     {"GreedyChoice", "", greedy},

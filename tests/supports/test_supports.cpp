@@ -9,10 +9,13 @@
 #include "evenlift/link.h"
 #include "evenlift/output/json.h"
 #include "evenlift/output/poses.h"
+#include "evenlift/output/robustness_words.h"
 #include "evenlift/output/svg.h"
 #include "evenlift/output/verdict.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placed_robots.h"
+#include "evenlift/random.h"
+#include "evenlift/report.h"
 #include "evenlift/request.h"
 #include "evenlift/settings.h"
 #include "kit/catch.h"
@@ -157,6 +160,123 @@ TEST_CASE("a support outside the object is refused by its number", "[supports][e
   Document moved = standing_on(unit_square);
   moved.moved.robots = {{0, 0.5}};
   refusal(moved);
+}
+
+TEST_CASE("a support that is left out changes nothing but the numbers", "[supports][left-out]") {
+  Rng random(5);
+  for (int i = 0; i < 300; ++i) {
+    Points places(4 + random.below(5));
+    for (Vec2& place : places) place = Vec2(random.uniform(), random.uniform());
+    Document all = standing_on({});
+    std::vector<double> own;
+    std::vector<std::uint32_t> standing;
+    for (std::uint32_t k = 0; k < places.size(); ++k) {
+      const bool out = random.below(3) == 0;
+      all.settings.supports.push_back(out ? places[k] + Vec2(2, 0) : places[k]);
+      all.shown.support_capacities.push_back(10.0 + k);
+      if (!out) standing.push_back(k);
+    }
+    if (standing.empty()) continue;
+    Document fewer = standing_on({});
+    for (const std::uint32_t k : standing) {
+      fewer.settings.supports.push_back(places[k]);
+      fewer.shown.support_capacities.push_back(10.0 + k);
+    }
+    const auto kept = place(all, Effort::whole, Misfitting::left_out);
+    REQUIRE(kept);
+    const Placement expected = placed(fewer);
+    const ShownPlacement of(*kept, all.shown), without(expected, fewer.shown);
+    CHECK(planned_loads(kept->teams) == planned_loads(expected.teams));
+    CHECK(kept->lifting_base == expected.lifting_base);
+    CHECK(kept->coverage == expected.coverage);
+    CHECK(overloaded_robots(of) == overloaded_robots(without));
+    CHECK(report_of(of, {.failures = true}).overloaded_after ==
+          report_of(without, {.failures = true}).overloaded_after);
+    CHECK(kept->left_out.size() == places.size() - standing.size());
+    for (std::size_t robot = 0; robot < standing.size(); ++robot)
+      CHECK(kept->number_of(robot) == standing[robot] + 1);
+    if (kept->left_out.empty()) CHECK(kept->supports.empty());
+  }
+}
+
+TEST_CASE("people know robots by the numbers of their supports, also when others are left out",
+          "[supports][left-out]") {
+  Document document = standing_on({{5, 5}, {0, 0}, {1, 0}, {0.5, 1}, {0.5, 0.5}});
+  document.holes = {{{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}}};
+  document.shown.support_capacities = {90, 30, 20, std::nullopt, 90};
+  CHECK(plainly(refusal(document).message) == "(5, 5) is 5.66 outside the object");
+  const auto kept = place(document, Effort::whole, Misfitting::left_out);
+  REQUIRE(kept);
+  const Reported of(ShownPlacement(*kept, document.shown), {.failures = true});
+  CHECK(plainly(capacity_in_words(of)) == "1 of 3 robots is overloaded: robot 3.");
+  CHECK(plainly(failures_in_words(of)) == "The object falls whichever robot fails.");
+  CHECK(left_out_in_words(*kept) ==
+        std::vector<std::string>{"Robot 1 is outside the object: it bears nothing.",
+                                 "Robot 5 is in hole 1: it bears nothing."});
+  CHECK(judge(of).codes[1] == "left_out");
+  CHECK(poses_text(of, PoseFormat::csv).find("\n4,1,0.5,1,") != std::string::npos);
+  CHECK(placement_svg(of).find(">4<") != std::string::npos);
+  // All are left out.
+  document.settings.supports = {{5, 5}, {6, 5}};
+  document.shown.support_capacities.clear();
+  const auto none = place(document, Effort::whole, Misfitting::left_out);
+  REQUIRE(none);
+  CHECK(none->teams.empty());
+  CHECK(judge(*none).reasons ==
+        std::vector<std::string>{"Robots 1 and 2 are outside the object: they bear nothing."});
+  CHECK(judge(*none).kind == VerdictKind::bad);
+}
+
+TEST_CASE("holes that do not fit are left out, the later of two that meet",
+          "[supports][left-out][holes]") {
+  const auto square = [](double x, double y, double size) {
+    return Points{{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
+  };
+  Document document = standing_on({{0, 0}, {1, 0}, {0.5, 1}, {0.68, 0.68}});
+  document.holes = {square(0.9, 0.1, 0.3), square(0.2, 0.2, 0.2), square(0.3, 0.3, 0.2),
+                    square(0.6, 0.6, 0.15)};
+  CHECK_FALSE(place(document).ok());
+  const auto kept = place(document, Effort::whole, Misfitting::left_out);
+  REQUIRE(kept);
+  CHECK(kept->object.rings_of_holes() == std::vector<Points>{document.holes[1], document.holes[3]});
+  CHECK(kept->left_out == std::vector<LeftOut>{{LeftOut::Kind::hole, 0, {}},
+                                               {LeftOut::Kind::hole, 2, {}},
+                                               {LeftOut::Kind::support, 3, 3u}});
+  CHECK(left_out_in_words(*kept) ==
+        std::vector<std::string>{"Holes 1 and 3 do not fit the object, and are left out.",
+                                 "Robot 4 is in hole 4: it bears nothing."});
+  document.vertices = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};  // the outline itself must be valid
+  CHECK_FALSE(place(document, Effort::whole, Misfitting::left_out).ok());
+}
+
+TEST_CASE("readings of a support that is left out still count: they were taken before",
+          "[supports][left-out][weigh]") {
+  Document document = standing_on({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  document.settings.weighed.readings = {10, 20, 30, 40};
+  const Placement before = placed(document);
+  document.vertices = {{0, 0}, {1, 0}, {0.8, 0.8}, {0, 1}};
+  const auto after = place(document, Effort::whole, Misfitting::left_out);
+  REQUIRE(after);
+  REQUIRE(after->weighing);
+  CHECK(after->weighing->weight == before.weighing->weight);
+  CHECK(after->weighing->centre == before.weighing->centre);
+  CHECK(after->number_of(2) == 4);
+}
+
+TEST_CASE("a request leaves out what does not fit only if it asks for it",
+          "[supports][left-out][request]") {
+  const auto asked = [](const std::string& more) {
+    return Json::parse(answer(R"({"polygon": [[0, 0], [1, 0], [1, 1], [0, 1]],
+                                  "supports": [[0, 0], [3, 0], [1, 0], [0.5, 1]])" +
+                              more + "}"));
+  };
+  CHECK(asked("")["error"]["place"]["setting"] == "supports[1]");
+  CHECK(asked(R"(, "keep_misfits": false)")["error"]["place"]["setting"] == "supports[1]");
+  const Json kept = asked(R"(, "keep_misfits": true)");
+  CHECK(kept["left_out"] == Json::parse(R"([{"kind": "support", "index": 1, "in_hole": null}])"));
+  CHECK(kept["robots"][1]["support"] == 2.0);
+  CHECK(kept["robots"].size() == 3);
+  CHECK(asked(R"(, "keep_misfits": 1)").contains("error"));
 }
 
 TEST_CASE("a support near a notch stands in it", "[supports]") {

@@ -5,6 +5,7 @@
 #include "edits/undo.h"
 #include "edits/vertices.h"
 #include "evenlift/link.h"
+#include "evenlift/output/verdict.h"
 #include "evenlift/supports.h"
 #include "kit/catch.h"
 #include "panels/summary.h"
@@ -118,17 +119,21 @@ TEST_CASE("outside the object a robot is taken away, and comes back until it is 
   hold(state, 2);
   give(state, MoveRobot{2, was + Vec2(1, 1)});
   give(state, MoveRobot{2, outside});
-  CHECK(supports(state).size() == before.size() - 1);
-  CHECK(state.view.away);
-  CHECK(shown(state).support_capacities.size() == before.size() - 1);
-  give(state, MoveRobot{2, was});
   CHECK(supports(state).size() == before.size());
-  CHECK_FALSE(state.view.away);
+  CHECK(robots(state).size() == before.size() - 1);
+  CHECK(placement(state).number_of(2) == 4);  // the others keep their numbers
+  CHECK(state.view.held.kind == Pick::Kind::left_out);
+  CHECK(state.view.dragged_out == 2u);
+  give(state, MoveRobot{2, was});
+  CHECK(state.view.held.kind == Pick::Kind::robot);
+  CHECK(supports(state).size() == before.size());
+  CHECK_FALSE(state.view.dragged_out);
   CHECK(shown(state).support_capacities[2] == 30.0);
   give(state, MoveRobot{2, outside});
   let_go(state);
   CHECK(supports(state).size() == before.size() - 1);
   CHECK(supports(state)[2] == before[3]);
+  CHECK(shown(state).support_capacities.size() == before.size() - 1);
   give(state, Undo{});
   CHECK(supports(state) == before);
   // The last robot stays.
@@ -264,7 +269,7 @@ TEST_CASE("robots placed by hand belong to the object: they are moved, turned an
   }
 }
 
-TEST_CASE("a dragged vertex takes along the robots on its edges, and pushes those beneath",
+TEST_CASE("a dragged vertex takes along the robots on its edges, and leaves out those beneath",
           "[view][supports]") {
   AppState state;
   begin(state, placed(document("(0,0)\n(400,0)\n(400,300)\n(0,300)\n")));
@@ -279,7 +284,11 @@ TEST_CASE("a dragged vertex takes along the robots on its edges, and pushes thos
   CHECK(supports(state)[0] == Vec2(350, 50));  // a quarter of its edge, as before
   CHECK(length(supports(state)[1] - Vec2(50, 275)) < 1e-9);
   CHECK(supports(state)[2] == places[2]);
-  CHECK(placement(state).teams[0].robots[3].point.edge != beneath);
+  CHECK(supports(state)[3] == places[3]);  // it stays, now outside
+  CHECK(placement(state).left_out == std::vector<LeftOut>{{LeftOut::Kind::support, 3, {}}});
+  CHECK(robots(state).size() == 3);
+  CHECK(left_out_in_words(placement(state)) ==
+        std::vector<std::string>{"Robot 4 is outside the object: it bears nothing."});
   give(state, MoveVertex{2, Vec2(400, 300)});
   for (std::size_t i = 0; i < places.size(); ++i)
     CHECK(length(supports(state)[i] - places[i]) < 1e-9);
@@ -296,13 +305,62 @@ TEST_CASE("a dragged vertex takes along the robots on its edges, and pushes thos
     give(state, FinishDrawing{});
     REQUIRE(state.work.document().holes.size() == 1);
     REQUIRE_FALSE(state.derived().refusal);
-    CHECK(length(supports(state)[3] - places[3]) < 80);
+    CHECK(supports(state) == places);
+    CHECK(placement(state).left_out == std::vector<LeftOut>{{LeftOut::Kind::support, 3, 0u}});
+    CHECK(left_out_in_words(placement(state)) ==
+          std::vector<std::string>{"Robot 4 is in hole 1: it bears nothing."});
   }
-  SECTION("and a removed vertex leaves none outside") {
+  SECTION("and a removed vertex") {
     give(state, RemoveVertex{2});
     REQUIRE_FALSE(state.derived().refusal);
-    CHECK(supports(state).size() == places.size());
+    CHECK(supports(state) == places);
+    CHECK(placement(state).left_out.size() == 3);
+    CHECK(placement(state).number_of(0) == 3);
   }
+  SECTION("all of them, and one is dragged back") {
+    give(state, MoveVertex{2, Vec2(200, 1)});
+    give(state, EndEdit{});
+    Settings far = settings(state);
+    for (Vec2& support : far.supports) support = Vec2(1000, 1000) + support;
+    give(state, SetSettings{far});
+    REQUIRE_FALSE(state.derived().refusal);
+    CHECK(placement(state).teams.empty());
+    CHECK(placement(state).left_out.size() == 4);
+    state.view.held = left_out_at(state, state.view.camera.to_screen(far.supports[1]));
+    CHECK(state.view.held.index == 1);
+    give(state, MoveRobot{1, Vec2(900, 900)});  // anywhere
+    CHECK(supports(state)[1] == Vec2(900, 900));
+    give(state, MoveRobot{1, Vec2(100, 0)});
+    let_go(state);
+    CHECK(robots(state) == Points{Vec2(100, 0)});
+    CHECK(placement(state).number_of(0) == 2);
+    CHECK(supports(state).size() == 4);
+  }
+}
+
+TEST_CASE("an edit of the outline is not refused for a hole: it is left out until it fits",
+          "[view][supports]") {
+  AppState state;
+  begin(state, placed(document("(0,0)\n(400,0)\n(400,300)\n(0,300)\n")));
+  frame_view(state);
+  for (const double x : {50.0, 300.0}) {
+    give(state, SetTool{Tool::hole});
+    for (const Vec2& corner : {Vec2(x, 200), Vec2(x + 50, 200), Vec2(x + 50, 250), Vec2(x, 250)})
+      give(state, AddPoint{corner});
+    give(state, FinishDrawing{});
+  }
+  const Placement before = placement(state);
+  REQUIRE(before.object.holes().size() == 2);
+  give(state, MoveVertex{3, Vec2(100, 300)});
+  REQUIRE_FALSE(state.derived().refusal);
+  CHECK(placement(state).left_out == std::vector<LeftOut>{{LeftOut::Kind::hole, 0, {}}});
+  CHECK(placement(state).object.holes().size() == 1);
+  CHECK(left_out_in_words(placement(state)) ==
+        std::vector<std::string>{"Hole 1 does not fit the object, and is left out."});
+  CHECK(state.work.document().holes.size() == 2);
+  give(state, MoveVertex{3, Vec2(0, 300)});
+  CHECK(placement(state).left_out.empty());
+  CHECK(placement(state).coverage == before.coverage);
 }
 
 TEST_CASE("the settings of another polygon include robots placed by hand", "[view][supports]") {
@@ -311,8 +369,8 @@ TEST_CASE("the settings of another polygon include robots placed by hand", "[vie
   Document edited =
       with_settings_of(document("(0,0)\n(90,0)\n(90,90)\n(0,90)\n"), state.work.document());
   CHECK(edited.settings.supports == supports(state));
-  keep_supports(edited);
-  CHECK(place(edited).ok());
+  CHECK_FALSE(place(edited).ok());  // the program refuses what the page leaves out
+  CHECK(place(edited, Effort::whole, Misfitting::left_out).ok());
 }
 
 TEST_CASE("a new outline begins with the method before, and one undo brings the robots back",

@@ -277,13 +277,11 @@ TEST_CASE("a hole shows the ground, whatever is drawn over the object", "[view]"
   }
 }
 
-TEST_CASE("a refused document shows the outlines of its holes, and which hole is at fault",
+TEST_CASE("a hole that does not fit is marked, and a refused outline shows all of its holes",
           "[view]") {
   Page page;
   page.open(plate());
   AppState& state = page.app.state;
-  Document outside = plate();
-  outside.holes[0] = square({-80, 80}, 40);
   give(state, SetCamera{fit({{-200, -50}, {500, 350}}, {250, 100, 900, 700})});
   page.frame();
   const auto amber_at = [&](const Vec2& world) {
@@ -292,11 +290,18 @@ TEST_CASE("a refused document shows the outlines of its holes, and which hole is
   };
   const Vec2 on_moved(-97, 120), on_left(97, 180);
   CHECK_FALSE(amber_at(on_moved));
-  state.work.edit().holes = outside.holes;
+  state.work.edit().holes[0] = square({-80, 80}, 40);
+  conclude(state);
+  page.frame();
+  CHECK_FALSE(state.derived().refusal);
+  CHECK(state.derived().placement->left_out ==
+        std::vector<LeftOut>{{LeftOut::Kind::hole, 0, {}}});
+  CHECK(amber_at(on_moved));
+  CHECK_FALSE(amber_at(on_left));
+  std::swap(state.work.edit().vertices[0], state.work.edit().vertices[1]);  // edges cross
   conclude(state);
   page.frame();
   REQUIRE(state.derived().refusal);
-  CHECK(state.derived().refusal->place.kind == Place::Kind::hole);
   CHECK(amber_at(on_moved));
   CHECK(amber_at(on_left));
 }

@@ -17,7 +17,7 @@ enum class ActionId : std::uint8_t {
   step_on, step_back, next_chapter, previous_chapter, first_step, last_step, play, faster, slower, predict, all_steps, present,
   finish, place, take_back, type_edge, next_vertex, previous_vertex, insert_vertex, remove_vertex,
   left_finely, right_finely, up_finely, down_finely, left, right, up, down, turn_left, turn_right, larger, smaller, snap_grid, snap_axis,
-  more_teams, fewer_teams, place_yourself, add_robots, remove_robot, even_out, weigh, take_over, next_method, compare, experiment, higher_ratio, lower_ratio,
+  more_teams, fewer_teams, place_yourself, add_robots, remove_robot, even_out, weigh, take_over, next_method, balanced, compare, experiment, higher_ratio, lower_ratio,
   all_teams, fail, type_ratio, type_weight, type_capacity, type_uncertainty, type_robot, type_seed, type_centre, free_centre,
   toggle_hull, toggle_clockwise, toggle_counterclockwise, toggle_chords, toggle_candidates, toggle_tipping, toggle_halo, toggle_tilt, toggle_load,
   zoom_in, zoom_out, fit, fold_panel, motion, help, about, glossary, welcome, language, dismiss

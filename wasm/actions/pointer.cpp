@@ -37,8 +37,8 @@ void nudge(const AppState& s, Commands& out, int x, int y) {
   if (when::transforming(s)) return out.push_back(moved_polygon(s, x, y));
   if (when::on_robot(s)) {
     const Vec2 along = Vec2(x, y) * (grid_step(s.view.camera) / 10);
-    out.push_back(
-        MoveRobot{*s.derived().explanation->robot, s.derived().explanation->of.at + along});
+    const std::size_t robot = s.derived().placement->support_of(*s.derived().explanation->robot);
+    out.push_back(MoveRobot{robot, s.derived().explanation->of.at + along});
     return out.push_back(EndEdit{});
   }
   const double step = grid_step(s.view.camera) / (s.view.snap.grid ? 1 : 10);
@@ -79,7 +79,7 @@ void press_parts(const AppState& state, const Pointer& pointer, Commands& comman
   if (pointer.touch) commands.push_back(SetHover{under});
   const bool grip = under.kind == Pick::Kind::vertex || under.kind == Pick::Kind::centre ||
                     under.kind == Pick::Kind::cargo || under.kind == Pick::Kind::uncertainty ||
-                    can_take_robot(state, under);
+                    under.kind == Pick::Kind::left_out || can_take_robot(state, under);
   // A finger drags the point in question, where a mouse pans.
   const bool asks = pointer.touch && under.kind == Pick::Kind::object && answers_for_points(state);
   if (!grip && !asks) under.kind = Pick::Kind::ground;
@@ -94,9 +94,13 @@ void press_parts(const AppState& state, const Pointer& pointer, Commands& comman
 // A press on a robot grabs it; elsewhere a click adds one.
 void press_robot(const AppState& state, const Pointer& pointer, Commands& commands) {
   Pick under = pick_explained(state, pointer.at, pointer.second);
-  if (under.kind != Pick::Kind::robot || !can_take_robot(state, under))
+  if (const Pick outside = left_out_at(state, pointer.at); outside.kind != Pick::Kind::none)
+    under = outside;
+  else if (under.kind != Pick::Kind::robot || !can_take_robot(state, under))
     under = {Pick::Kind::ground, 0, 0, pointer.at};
   else
+    under.at = state.view.camera.to_screen(under.at) - pointer.at;
+  if (under.kind == Pick::Kind::left_out)
     under.at = state.view.camera.to_screen(under.at) - pointer.at;
   commands.push_back(SetHeld{under});
 }
@@ -202,8 +206,10 @@ void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
   if (held.kind == Pick::Kind::robot && state.derived().placement &&
       !state.derived().placement->teams.empty()) {
     const std::size_t in_team = state.derived().placement->teams.front().robots.size();
-    commands.push_back(MoveRobot{held.index * in_team + static_cast<std::size_t>(held.end), to});
+    const std::size_t robot = held.index * in_team + static_cast<std::size_t>(held.end);
+    commands.push_back(MoveRobot{state.derived().placement->support_of(robot), to});
   }
+  if (held.kind == Pick::Kind::left_out) commands.push_back(MoveRobot{held.index, to});
   if (held.kind == Pick::Kind::centre) {
     const Vec2 centroid = own_centroid(state).value_or(to);
     const double away =

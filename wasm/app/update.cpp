@@ -137,10 +137,9 @@ struct Applier {
     document.holes = c.shape.holes;
     document.settings.cargo = c.shape.cargo;
     document.settings.supports = c.shape.supports;
-    keep_supports(document);
   }
   void operator()(const EndEdit&) const {
-    state.view.away.reset();
+    take_away_dragged_out(state);
     if (!state.work.edit_open) return;
     state.work.edit_open = false;
     if (state.view.camera_follows && !(centre_is_shown(state) && vertices_are_shown(state)))
@@ -276,7 +275,9 @@ struct Applier {
     if (!facts.placement || facts.refusal) return;
     if (c.robot && *c.robot >= count_robots(facts.placement->teams)) return;
     if (c.robot ? facts.failure && facts.failure->robot == *c.robot : !facts.failure) return;
-    if (!c.robot) announce(state, say("Robot {robot} works again.", {facts.failure->robot + 1}));
+    if (!c.robot)
+      announce(state, say("Robot {robot} works again.",
+                          {facts.placement->number_of(facts.failure->robot)}));
     state.view.fails.ask(c.robot);
   }
   void operator()(const SetLoadModel& c) const {

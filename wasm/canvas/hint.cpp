@@ -156,14 +156,16 @@ std::string hint_of_failing(const Failure& failure, const Pick& at, const Units&
   const std::size_t team = failure.placement.teams.front().robots.size(),
                     robot = at.index * team + static_cast<std::size_t>(at.end);
   if (robot >= failure.report.loads.size()) return {};
-  if (robot == failure.robot) return say("Robot {robot} fails · Esc brings it back", {robot + 1});
+  if (robot == failure.robot)
+    return say("Robot {robot} fails · Esc brings it back", {failure.placement.number_of(robot)});
   if (!failure.rest)
     return say("Robot {robot} · cannot carry the object while robot {failed} fails",
-               {robot + 1, failure.robot + 1});
+               {failure.placement.number_of(robot), failure.placement.number_of(failure.robot)});
   const LoadRange& load = failure.report.loads[robot];
   return say("Robot {robot} · {load} while robot {failed} fails",
-             {robot + 1, load_in_words(failure.report.model, load, failure.report.greatest, units),
-              failure.robot + 1});
+             {failure.placement.number_of(robot),
+              load_in_words(failure.report.model, load, failure.report.greatest, units),
+              failure.placement.number_of(failure.robot)});
 }
 
 std::string hint_of_robot(const AppState& state, const Pick& at) {
@@ -185,7 +187,7 @@ std::string hint_of_robot(const AppState& state, const Pick& at) {
           ? "Robot {robot} {place} · {load}, like all the others · drag it along the edge: its "
             "neighbours follow"
           : "Robot {robot} {place} · {load}, like all the others · press it to see why",
-      {robot + 1, words.at[robot], with_weight_unit(words.loads[robot], units)});
+      {placement->number_of(robot), words.at[robot], with_weight_unit(words.loads[robot], units)});
 }
 
 std::string hint_of_candidate(const Placement* placement, std::size_t i) {
@@ -220,6 +222,9 @@ std::string hint_of_pick(const AppState& state, const Pick& at) {
       return "Double-click the edge to add a vertex";
     case Pick::Kind::robot:
       return hint_of_robot(state, at);
+    case Pick::Kind::left_out:
+      return say("Robot {robot} is left out: it bears nothing · drag it onto the object",
+                 {at.index + 1});
     case Pick::Kind::chord:
       return hint_of_team(current_placement(state, at.second), at.index, shown(state).units);
     case Pick::Kind::candidate:

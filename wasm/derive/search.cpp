@@ -128,6 +128,13 @@ std::optional<Placement>* balanced(Derived& facts) {
   return nullptr;
 }
 
+// Without the holes that do not fit.
+std::string object_text(const Derived& facts) {
+  Document object = facts.placed;
+  object.holes = facts.placement->object.rings_of_holes();
+  return write_thesis(object);
+}
+
 // Settings and C as text, with the effective goal.
 std::string settings_of(const Derived& facts, Settings settings) {
   settings.goal = goal_of(settings);
@@ -161,7 +168,7 @@ void begin_search(Derived& facts, Effects& effects) {
   if (facts.refusal || !shown || (*shown)->search_ended) return;
   const Placement& start = **shown;
   facts.search = {facts.search.number + 1, false, true};
-  effects.push_back(BeginSearch{facts.search.number, write_thesis(facts.placed),
+  effects.push_back(BeginSearch{facts.search.number, object_text(facts),
                                 settings_of(facts, start.settings),
                                 robots_text(lifting_points(start.teams))});
 }
@@ -178,7 +185,7 @@ void begin_count(Derived& facts, const Shown& shown, Effects& effects) {
   for (const SettingRow& row : all_settings())
     if (row.changes == Changes::shown && row.plans)
       settings += setting_line(row.setting, conditions);
-  effects.push_back(BeginSearch{search.number, write_thesis(facts.placed), settings, {}});
+  effects.push_back(BeginSearch{search.number, object_text(facts), settings, {}});
 }
 
 void drop_count(Derived& facts, Effects& effects) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -59,13 +58,12 @@ void remove_capacity(Capacities& capacities, std::size_t robot) {
 }
 
 // Places the document here and notes the moved robot, so that its card stays open.
-void hand_over(AppState& state, std::size_t robot) {
-  const Document& document = state.work.document();
-  Result<Placement> placed =
-      place(state.derived().placement->object, document.centre_of_mass, document.settings);
+void hand_over(AppState& state, std::optional<std::size_t> robot) {
+  Result<Placement> placed = compute_placement(state.work.document(), state.derived().placement);
   if (!placed) return;
+  const bool all_stand = placed->left_out == state.derived().placement->left_out;
   state.given.placement = std::move(placed).value();
-  state.given.moved = {robot, robot};
+  if (robot && all_stand) state.given.moved = {*robot, *robot};
 }
 
 }  // namespace
@@ -145,61 +143,57 @@ void carry_supports(Document& document, const PolygonGrip& before) {
         ring[on->edge] != edited[on->edge] || next_in(ring, on->edge) != next_in(edited, on->edge);
     if (has_moved) supports[i] = point_of(edited, on->edge, on->part);
   }
-  keep_supports(document);
 }
 
-void keep_supports(Document& document) {
-  if (document.settings.method != Method::given) return;
-  const Result<PolygonWithHoles> object = object_of(document);
-  if (!object) return;
-  const SupportPlacer placer(*object, document.settings);
-  const auto rings = rings_of(document.vertices, document.holes);
-  for (Vec2& support : document.settings.supports) {
-    if (placer.place(support)) continue;
-    const auto on = nearest_edge(rings, support, std::numeric_limits<double>::infinity());
-    const Vec2 at = point_of(*rings[on->ring], on->edge, on->part), way = at - support;
-    // A little beyond the rim of a hole, on material.
-    const double beyond = on->ring > 0 && length(way) > 0 ? placer.snap() / length(way) : 0;
-    support = at + beyond * way;
-  }
+namespace {
+
+// The placed robot at this support; nothing if the support is left out.
+std::optional<std::size_t> robot_at_support(const Placement& placement, std::size_t support) {
+  for (std::size_t i = 0; i < count_robots(placement.teams); ++i)
+    if (placement.support_of(i) == support) return i;
+  return std::nullopt;
 }
 
-void move_support(AppState& state, std::size_t robot, const Vec2& to) {
-  if (!has_robots(state) || state.derived().placement->teams.empty()) return;
-  const bool was_away = state.view.away.has_value();
-  const auto spot = support_spot(state, to, was_away ? std::nullopt : std::optional(robot));
+// The pointer goes on holding the support, whether or not it now is outside the object.
+void hold_support(AppState& state, std::size_t support) {
+  Pick& held = state.view.held;
+  if (held.kind != Pick::Kind::robot && held.kind != Pick::Kind::left_out) return;
+  const Placement& placement =
+      state.given.placement ? *state.given.placement : *state.derived().placement;
+  const auto robot = robot_at_support(placement, support);
+  held.kind = robot ? Pick::Kind::robot : Pick::Kind::left_out;
+  held.index = robot ? 0 : support;
+  held.end = static_cast<int>(robot.value_or(0));
+}
+
+}  // namespace
+
+void move_support(AppState& state, std::size_t support, const Vec2& to) {
+  if (!has_robots(state) || support >= supports_now(state).size()) return;
+  const Placement& placement = *state.derived().placement;
+  const auto robot = robot_at_support(placement, support);
+  const auto spot = support_spot(state, to, robot);
   // In a challenge, and while readings count, all robots stay: one dragged out waits where it last
-  // could stand.
-  const bool all_stay =
-      (state.view.challenge && !state.view.task) || evenlift::is_weighed(settings(state));
-  if (!spot && all_stay) return;
-  if (!spot && (was_away || count_robots(state.derived().placement->teams) == 1)) {
-    if (was_away) state.view.away->at = to;
-    return;
-  }
+  // could stand. So does the only one.
+  const bool all_stay = (state.view.challenge && !state.view.task) ||
+                        evenlift::is_weighed(settings(state)) || count_robots(placement.teams) == 1;
+  if (!spot && robot && all_stay) return;
   Document& document = edit_supports(state, true);
+  document.settings.supports[support] = spot.value_or(to);
+  if (!spot && robot) state.view.dragged_out = support;
+  if (spot) state.view.dragged_out.reset();
+  hand_over(state, robot);
+  hold_support(state, support);
+}
+
+void take_away_dragged_out(AppState& state) {
+  const auto support = std::exchange(state.view.dragged_out, std::nullopt);
+  if (!support || !state.work.edit_open) return;
+  Document& document = state.work.edit();
   Points& supports = document.settings.supports;
-  Capacities& capacities = state.work.show().support_capacities;
-  if (robot > supports.size() - (was_away ? 0 : 1)) return;
-  const auto index = static_cast<std::ptrdiff_t>(robot);
-  if (!spot) {
-    const bool has_own = robot < capacities.size();
-    state.view.away = {to, has_own ? capacities[robot] : std::nullopt};
-    supports.erase(supports.begin() + index);
-    remove_capacity(capacities, robot);
-  } else if (was_away) {
-    supports.insert(supports.begin() + index, *spot);
-    const auto capacity = std::exchange(state.view.away, std::nullopt)->capacity;
-    if (capacity && capacities.empty()) capacities.resize(supports.size() - 1);
-    if (!capacities.empty()) capacities.insert(capacities.begin() + index, capacity);
-  } else {
-    supports[robot] = *spot;
-  }
-  if (state.view.held.kind == Pick::Kind::robot) {
-    state.view.held.index = 0;
-    state.view.held.end = static_cast<int>(robot);
-  }
-  if (spot) hand_over(state, robot);
+  if (*support >= supports.size()) return;
+  supports.erase(supports.begin() + static_cast<std::ptrdiff_t>(*support));
+  remove_capacity(document.shown.support_capacities, *support);
 }
 
 void place_yourself(AppState& state, std::size_t robots) {
@@ -213,7 +207,9 @@ void place_yourself(AppState& state, std::size_t robots) {
 }
 
 Points supports_now(const AppState& state) {
-  if (!has_robots(state) || state.derived().placement->teams.empty()) return {};
+  if (!has_robots(state)) return {};
+  if (settings(state).method != Method::given && state.derived().placement->teams.empty())
+    return {};
   return taken_over(settings(state), *state.derived().placement).supports;
 }
 
@@ -227,7 +223,7 @@ void put_support(AppState& state, std::size_t robot, const Vec2& at) {
 void add_support(AppState& state, std::optional<Vec2> at) {
   if (!has_robots(state)) return;
   const Placement& placement = *state.derived().placement;
-  if (count_robots(placement.teams) >= most_supports) return;
+  if (supports_now(state).size() >= most_supports) return;
   if (at)
     at = support_spot(state, *at, std::nullopt);
   else
@@ -241,7 +237,7 @@ void add_support(AppState& state, std::optional<Vec2> at) {
 
 void remove_support(AppState& state, std::optional<std::size_t> robot) {
   if (!has_robots(state)) return;
-  const std::size_t number = count_robots(state.derived().placement->teams);
+  const std::size_t number = supports_now(state).size();
   if (number < 2) return;
   const std::size_t gone = robot.value_or(number - 1);
   if (gone >= number) return;
@@ -254,7 +250,7 @@ void remove_support(AppState& state, std::optional<std::size_t> robot) {
 
 void even_out_supports(AppState& state) {
   if (!has_robots(state) || settings(state).method != Method::given) return;
-  const auto even = with_even_supports(state.work.document());
+  const auto even = with_even_supports(state.work.document(), Misfitting::left_out);
   if (!even) return show(state, {Notice::Kind::problem, sentence(even.error()) + "."});
   Points supports = even->settings.supports;
   edit(state, false, Edit::robots_moved).settings.supports = std::move(supports);

@@ -27,7 +27,6 @@ namespace {
 void put_in_hole(AppState& state, const Handle& edge, const Vec2& at) {
   Points& ring = ring_of(edit(state, false, Edit::vertex_added), edge.ring);
   ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(edge.index) + 1, at);
-  keep_supports(state.work.edit());
 }
 
 void remove_from_hole(AppState& state, const Handle& vertex) {
@@ -38,7 +37,6 @@ void remove_from_hole(AppState& state, const Handle& vertex) {
     document.holes.erase(document.holes.begin() + static_cast<std::ptrdiff_t>(vertex.ring) - 1);
   else
     ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(vertex.index));
-  keep_supports(document);
 }
 
 void remove_from_outline(AppState& state, std::size_t vertex) {
@@ -50,7 +48,6 @@ void remove_from_outline(AppState& state, std::size_t vertex) {
     state.work.aside.no_go =
         after_removal(*state.work.aside.no_go, vertices, static_cast<std::uint32_t>(vertex));
   vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(vertex));
-  keep_supports(document);
 }
 
 void remove_weight(AppState& state, std::size_t item) {
@@ -91,7 +88,6 @@ void insert_vertex(AppState& state, std::size_t edge, const Vec2& at) {
     state.work.aside.no_go =
         after_split(*state.work.aside.no_go, static_cast<std::uint32_t>(edge), part);
   vertices.insert(vertices.begin() + static_cast<std::ptrdiff_t>(edge) + 1, at);
-  keep_supports(document);
 }
 
 void remove_handle(AppState& state, std::size_t number) {
@@ -156,13 +152,15 @@ bool move_last(Points& from, Points& to) {
   return true;
 }
 
-// The document with the drawn hole last, or why it cannot have it.
-Result<Document> with_hole(const Document& document, const Points& hole) {
-  Document with = document;
+// Why the drawn hole does not fit the object with those of its holes that do; nothing if it fits.
+std::optional<InputError> problem_of_hole(const AppState& state, const Points& hole) {
+  Document with = state.work.document();
+  if (state.derived().placement && !state.derived().refusal)
+    with.holes = state.derived().placement->object.rings_of_holes();
   with.holes.push_back(hole);
   const Result<PolygonWithHoles> object = object_of(with);
-  if (!object) return object.error();
-  return with;
+  if (object) return std::nullopt;
+  return object.error();
 }
 
 // Finds out why the drawn shape or hole cannot be closed.
@@ -171,8 +169,7 @@ void check_drawing(AppState& state) {
   if (drawing.checked) return;
   drawing.checked = true;
   if (state.view.tool == Tool::hole) {
-    const Result<Document> with = with_hole(state.work.document(), drawing.points);
-    if (!with) drawing.refusal = with.error();
+    drawing.refusal = problem_of_hole(state, drawing.points);
   } else {
     const Result<Polygon> polygon = Polygon::create(drawing.points);
     if (!polygon) drawing.refusal = polygon.error();
@@ -327,14 +324,14 @@ void refuse_drawing(AppState& state, const InputError& error) {
 }
 
 void finish_hole(AppState& state) {
-  const Result<Document> with = with_hole(state.work.document(), state.view.drawing.points);
-  if (!with) return refuse_drawing(state, with.error());
-  Document& document = edit(state, false, Edit::hole_drawn);
-  document.holes = with->holes;
-  keep_supports(document);
+  if (const auto problem = problem_of_hole(state, state.view.drawing.points))
+    return refuse_drawing(state, *problem);
+  const Points hole = state.view.drawing.points;
+  std::vector<Points>& holes = edit(state, false, Edit::hole_drawn).holes;
+  holes.push_back(hole);
   state.view.drawing = {};
   take_tool(state, Tool::parts);
-  announce(state, say("Hole {hole} drawn.", {with->holes.size()}));
+  announce(state, say("Hole {hole} drawn.", {state.work.document().holes.size()}));
 }
 
 }  // namespace

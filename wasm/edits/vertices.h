@@ -21,11 +21,16 @@ Settings taken_over(Settings settings, const Placement& placement);
 // robots balanced.
 bool stands_freely(const Placement& placement);
 
-// Moves a robot to the place from support_spot() (tools/drawing.h). Robots of another method
-// are taken over first, and a notice offers the way back. A robot that is dragged out of the object
-// is removed until it returns, unless it is the only robot. In a challenge that is not a task, the
-// robot stays where it last could stand. O(m + n), plus a placement.
-void move_support(AppState& state, std::size_t robot, const Vec2& to);
+// Moves a support (Placement::support_of()) to the place from support_spot() (tools/drawing.h).
+// Robots of another method are taken over first, and a notice offers the way back. A robot that is
+// dragged out of the object bears nothing (Misfitting in placement.h), and is taken away if it is
+// let go there; the only robot, and one in a challenge that is not a task or with readings, stays
+// where it last could stand. A support that was outside already may be dragged anywhere. O(m + n),
+// plus a placement.
+void move_support(AppState& state, std::size_t support, const Vec2& to);
+
+// Takes away the support that was dragged out of the object, if there is one.
+void take_away_dragged_out(AppState& state);
 
 // Puts robots beneath the object for the user to move, where supports_to_place()
 // (evenlift/supports.h) finds places. This is one step of undo.
@@ -47,13 +52,10 @@ void add_support(AppState& state, std::optional<Vec2> at);
 void remove_support(AppState& state, std::optional<std::size_t> robot);
 void even_out_supports(AppState& state);
 
-// Robots placed by hand belong to the object. After an edit of its outline or holes,
-// carry_supports() moves those on the edges of `before` along, each with its part of its edge, and
-// keep_supports() moves those that would then be outside, or in a hole, to the nearest place of the
-// object. Neither does anything for other methods, nor keep_supports() if the edited object is invalid. O(m n) for m
-// robots.
+// Robots placed by hand belong to the object: after an edit of its outline or holes, moves those on
+// the edges of `before` along, each with its part of its edge. Others stay where they are, even if
+// they are then outside. Does nothing for other methods. O(m n) for m robots.
 void carry_supports(Document& document, const PolygonGrip& before);
-void keep_supports(Document& document);
 
 // --- Moves of robots by hand.
 

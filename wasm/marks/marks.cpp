@@ -85,6 +85,37 @@ void draw_closed_stretch(const Painter& painter, const CanvasView& view) {
             closed_in_words(placement, team * placement.teams[team].robots.size() + robot));
 }
 
+// Supports that are left out, hollow and with their numbers, and the outlines of holes.
+void draw_left_out(const Painter& painter, const CanvasView& view) {
+  if (view.second || !view.current()) return;
+  const AppState& state = view.state;
+  const Theme& theme = view.theme;
+  constexpr float radius = 12;
+  for (const LeftOut& each : view.placement->left_out) {
+    if (each.kind == LeftOut::Kind::hole) {
+      painter.outline(state.work.document().holes[each.index], theme.amber, 2, true);
+      continue;
+    }
+    const ImVec2 at = painter.at(view.placement->settings.supports[each.index]);
+    const bool marked = is_hovered(state, Pick::Kind::left_out, each.index);
+    painter.list().AddCircleFilled(at, radius, theme.panel.packed(), 32);
+    painter.list().AddCircle(at, radius, theme.amber.packed(), 32, marked ? 3.0f : 2.0f);
+    const std::string number = std::to_string(each.index + 1);
+    const ImVec2 text = text_size(Face::tiny, number);
+    draw_text(painter.list(), Face::tiny, ImVec2(at.x - text.x / 2, at.y - text.y / 2), theme.amber,
+              number);
+    const bool held = holds_support(state) && state.view.held.kind == Pick::Kind::left_out &&
+                      state.view.held.index == each.index;
+    if (!held && !marked) continue;
+    const Vec2 spot(static_cast<double>(at.x), static_cast<double>(at.y));
+    draw_word(painter.list(), spot, view.uncovered(), theme, held ? theme.second_text : theme.amber,
+              held && state.view.dragged_out
+                  ? say("Let go to take it away")
+                  : say(each.in_hole ? "Robot {robot} is in a hole" : "Robot {robot} is outside",
+                        {each.index + 1}));
+  }
+}
+
 // Marks where a click would add a robot, where the held robot would be even with another, and,
 // outside the object, the held robot.
 void draw_support_help(const Painter& painter, const CanvasView& view) {
@@ -98,15 +129,7 @@ void draw_support_help(const Painter& painter, const CanvasView& view) {
     if (const auto spot = support_spot(state, over.at, std::nullopt))
       painter.list().AddCircle(painter.at(*spot), 10, theme.accent_on_object.packed(), 32, 2);
   if (view.second || !holds_support(state)) return;
-  if (const auto& away = state.view.away) {
-    const ImVec2 at = painter.at(away->at);
-    painter.list().AddCircleFilled(at, 12, theme.robot.at(0.25f).packed(), 32);
-    painter.list().AddCircle(at, 12, theme.robot.at(0.6f).packed(), 32, 1.5f);
-    const Vec2 spot(static_cast<double>(at.x), static_cast<double>(at.y));
-    draw_word(painter.list(), spot, view.uncovered(), theme, theme.second_text,
-              "Let go to take it away");
-    return;
-  }
+  if (state.view.held.kind == Pick::Kind::left_out) return;
   constexpr double ghost_reach = 60;  // pixels
   const auto robot = static_cast<std::size_t>(state.view.held.end);
   const std::vector<Robot>& robots = view.placement->teams[0].robots;
@@ -294,6 +317,7 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
   draw_centre(painter, view);
   if (view.current() && !draw_carrying_here(painter, view)) draw_push(painter, view);
   if (view.current()) draw_why_unusable(painter, view);
+  draw_left_out(painter, view);
   if (state.derived().refusal) draw_reason(painter, view);
   if (state.work.second_method) draw_caption(painter, view);
 }

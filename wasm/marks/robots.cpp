@@ -425,7 +425,7 @@ void draw_robots(const Painter& painter, const CanvasView& view) {
       const Vec2& at = robot.point.position;
       const double load = report.loads[number].greatest;
       draw_robot(painter, view.theme, grown(number, at), at,
-                 {number + 1, paired ? i + 1 : 0, at - placement.centre_of_mass,
+                 {placement.number_of(number), paired ? i + 1 : 0, at - placement.centre_of_mass,
                   report.greatest > 0 ? load / report.greatest : 0, view.overloads(number, load),
                   view.failure() && view.failure()->robot == number, is_marked(number),
                   robot.point.edge == beneath});

@@ -173,8 +173,9 @@ void draw_supports_of_walkthrough(const Painter& painter, const CanvasView& view
   const std::uint32_t known = view.state.view.walkthrough.known.robots;
   const DiscSize size = robot_size((robots.size() + 1) / 2);
   for (std::size_t i = std::min<std::size_t>(known, robots.size()); i-- > 0;)
-    draw_robot(painter, view.theme, size, robots[i].point.position,
-               {.number = i + 1, .beneath = robots[i].point.edge == beneath});
+    draw_robot(
+        painter, view.theme, size, robots[i].point.position,
+        {.number = view.placement->number_of(i), .beneath = robots[i].point.edge == beneath});
 }
 
 void draw_robots_of_walkthrough(const Painter& painter, const CanvasView& view) {

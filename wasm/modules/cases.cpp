@@ -45,7 +45,7 @@ std::string table_of_cases(const Reported& of) {
 std::string cases(const RequestMembers& members) {
   const Result<Document> document = decode_link(members.text("link"));
   if (!document) return problem(document.error().message);
-  const Result<Placement> placement = place(*document);
+  const Result<Placement> placement = place(*document, Effort::whole, Misfitting::left_out);
   if (!placement) return problem(sentence(placement.error()));
   if (placement->teams.empty()) return problem("there are no robots");
   if (!cases_fit_on_paper(*placement))

@@ -157,7 +157,7 @@ std::string cases_of(const Placement& placement, const Shown& shown) {
 std::string handout(const RequestMembers& members) {
   const Result<Document> document = decode_link(members.text("link"));
   if (!document) return problem(document.error().message);
-  const Result<Placement> placement = place(*document);
+  const Result<Placement> placement = place(*document, Effort::whole, Misfitting::left_out);
   if (!placement) return problem(placement.error().message);
   const Result<Trace> trace = make_trace(*placement, HistoryLength::whole, document->shown.units);
   if (!trace) return problem(trace.error().message);

@@ -41,7 +41,6 @@ std::string open_with_these_settings(std::string_view text, bool same_object) {
   const Work& work = app().state.work;
   const auto edited = [&] {
     Document document = with_settings_of(*read, work.document());
-    keep_supports(document);
     return opened(std::move(document));
   };
   Result<Opened> polygon = same_object ? edited() : opened_after(*read, work);
@@ -354,9 +353,12 @@ EMSCRIPTEN_KEEPALIVE const char* page_robots(int first, int count) {
   const std::vector<double> loads = planned_loads(placement.teams);
   const std::vector<double>& readings = settings(state).weighed.readings;
   std::vector<std::string> rows;
+  std::vector<std::string> of_supports(robots.size(), "–");  // a support that is left out has none
+  for (std::size_t i = 0; placement.loads && i < loads.size(); ++i)
+    of_supports[placement.support_of(i)] =
+        load_in_words(loads[i], placement.loads->max, shown(state).units);
   for (std::size_t i = from; i < to; ++i) {
-    const std::string load =
-        placement.loads ? load_in_words(loads[i], placement.loads->max, shown(state).units) : "–";
+    const std::string& load = of_supports[i];
     const std::string reading = i < readings.size() ? json::number(readings[i]) : json::text("");
     rows.push_back(json::array(
         {json::number(robots[i].x), json::number(robots[i].y), reading, json::text(load)}));
@@ -397,7 +399,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_readings(const char* text) {
     weighed.centre_of_mass.reset();
     weighed.settings.weight = evenlift::Settings{}.weight;
   }
-  if (const auto placed = evenlift::place(weighed); !placed)
+  if (const auto placed = place(weighed, evenlift::Effort::whole, evenlift::Misfitting::left_out);
+      !placed)
     return hand_over(std::string(translated(placed.error().message)));
   carry_out({EndEdit{}, SetReadings{std::move(weighed)}, EndEdit{}});
   return hand_over({});
@@ -424,18 +427,27 @@ EMSCRIPTEN_KEEPALIVE void page_remove_robot(int robot) {
 EMSCRIPTEN_KEEPALIVE void page_point_at_robot(int robot) {
   const AppState& state = app().state;
   if (robot < 0 || robot >= static_cast<int>(supports_now(state).size())) return;
-  const auto& teams = state.derived().placement->teams;
-  const auto [team, end] = find_robot(teams, static_cast<std::size_t>(robot));
-  carry_out({SetHover{
-      {Pick::Kind::robot, team, static_cast<int>(end), teams[team].robots[end].point.position}}});
+  const evenlift::Placement& placement = *state.derived().placement;
+  const auto support = static_cast<std::size_t>(robot);
+  Pick pick{Pick::Kind::left_out, support, 0, supports_now(state)[support]};
+  for (std::size_t i = 0; i < count_robots(placement.teams); ++i) {
+    if (placement.support_of(i) != support) continue;
+    const auto [team, end] = find_robot(placement.teams, i);
+    pick = {Pick::Kind::robot, team, static_cast<int>(end),
+            placement.teams[team].robots[end].point.position};
+  }
+  carry_out({SetHover{pick}});
 }
 EMSCRIPTEN_KEEPALIVE int page_hovered_robot() {
   const AppState& state = app().state;
   const Pick& pick = state.view.held.kind != Pick::Kind::none ? state.view.held : state.view.hover;
+  if (pick.kind == Pick::Kind::left_out) return static_cast<int>(pick.index);
   if (pick.kind != Pick::Kind::robot || pick.second || !state.derived().placement) return -1;
   const auto& teams = state.derived().placement->teams;
   if (teams.empty()) return -1;
-  return static_cast<int>(pick.index * teams.front().robots.size()) + pick.end;
+  const std::size_t robot =
+      pick.index * teams.front().robots.size() + static_cast<std::size_t>(pick.end);
+  return static_cast<int>(state.derived().placement->support_of(robot));
 }
 
 // --- Sharing and saving: the last document that was not refused

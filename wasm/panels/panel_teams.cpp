@@ -71,7 +71,7 @@ void draw_signs(const Ui& ui, const RowOfPlaces& row, std::size_t count) {
     else
       draw_unknown(ui.theme, list, at, reach);
     if (each < least_for_number) continue;
-    const std::string number = std::to_string(i + 1);
+    const std::string number = std::to_string(ui.state.derived().placement->number_of(i));
     const ImVec2 size = text_size(Face::tiny, number);
     draw_text(list, Face::tiny, ImVec2(at.x + reach + 3, y - size.y / 2), ui.theme.second_text,
               number);
@@ -326,7 +326,7 @@ void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const Tea
   const Placement& placement = *ui.state.derived().placement;
   const Robot& robot = placement.teams[0].robots[index];
   const Pick pick{Pick::Kind::robot, 0, static_cast<int>(index), robot.point.position};
-  const std::string number = std::to_string(index + 1), name = "Robot " + number;
+  const std::string number = std::to_string(placement.number_of(index)), name = "Robot " + number;
   const auto [low, high, pressed, hovered] =
       pressable_row(ui, name.c_str(),
                     say("Robot {robot}: at {place}, load {load} {unit}. Why here?",

@@ -118,7 +118,7 @@ std::string robots_in_words(const Placement& placement) {
   if (placement.teams.empty()) return text;
   const TeamInWords team = team_in_words(placement, 0, place_decimals(placement));
   for (std::size_t i = 0; i < team.at.size(); ++i)
-    text += " " + say("Robot {robot} at {place}.", {i + 1, team.at[i]});
+    text += " " + say("Robot {robot} at {place}.", {placement.number_of(i), team.at[i]});
   return text;
 }
 
@@ -131,9 +131,9 @@ std::string loads_while_failing(const Failure& failure, const Units& units) {
   for (std::size_t i = 0; i < loads.size(); ++i) {
     if (i == failure.robot) continue;
     text +=
-        " " +
-        say("Robot {robot} carries {load}.",
-            {i + 1, load_in_words(failure.report.model, loads[i], failure.report.greatest, units)});
+        " " + say("Robot {robot} carries {load}.",
+                  {failure.placement.number_of(i),
+                   load_in_words(failure.report.model, loads[i], failure.report.greatest, units)});
   }
   return text;
 }

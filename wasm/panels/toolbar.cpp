@@ -359,7 +359,7 @@ void draw_failing(const Ui& ui, const Failure& failure, std::size_t robot) {
                                   ? load_in_words(failure.report.model, load,
                                                   failure.report.greatest, shown(ui.state).units)
                                   : std::string("nothing")});
-  draw_row(ui, {say("Robot {robot}", {failure.robot + 1}), "fails"});
+  draw_row(ui, {say("Robot {robot}", {failure.placement.number_of(failure.robot)}), "fails"});
 }
 
 void draw_fail_button(const Ui& ui, std::size_t robot, float width) {

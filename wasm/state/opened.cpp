@@ -26,8 +26,9 @@ bool is_of(const PolygonWithHoles& object, const Document& document) {
 
 Result<Placement> placed(const Document& document, const PolygonWithHoles* known) {
   if (known && is_of(*known, document))
-    return place(*known, document.centre_of_mass, document.settings, Effort::start, document.moved);
-  return place(document, Effort::start);
+    return place(*known, document.centre_of_mass, document.settings, Effort::start, document.moved,
+                 Misfitting::left_out);
+  return place(document, Effort::start, Misfitting::left_out);
 }
 
 // Swaps of t teams among K candidates take 0.1 to 5 microseconds times t^3 K, and 1.6 times that in

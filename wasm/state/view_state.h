@@ -39,10 +39,11 @@ struct Pick {
     frame,
     ground,
     uncertainty,  // the grip of the ring for the C uncertainty
-    cargo         // a weight on the object
+    cargo,        // a weight on the object
+    left_out      // a support that does not fit (LeftOut in placement.h)
   };
   Kind kind = Kind::none;
-  std::size_t index = 0;  // of the vertex, edge, team, candidate, weight or frame's grip
+  std::size_t index = 0;  // of the vertex, edge, team, candidate, weight, support or frame's grip
   int end = 0;            // of a robot: its index in the team; r1 is 0, and r2 is 1
   Vec2 at;                // in polygon coordinates; on an edge or chord, nearest to the pointer
   bool second = false;    // the part is in the second method's picture
@@ -244,12 +245,8 @@ struct View {
   Pick hover, held;
   // The place on the outline to which the user drags a robot that cannot go there.
   std::optional<LiftingPoint> closed_to;
-  // A support that is held outside the object; meanwhile it is not among the supports.
-  struct Away {
-    Vec2 at;
-    std::optional<double> capacity;
-  };
-  std::optional<Away> away;
+  // The support that the pointer has dragged out of the object.
+  std::optional<std::size_t> dragged_out;
   bool erases = false;     // the held brush erases, instead of marking
   bool measuring = false;  // the user chooses two points of the backdrop, to set its scale
 

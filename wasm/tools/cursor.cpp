@@ -35,6 +35,7 @@ Cursor cursor(const AppState& state) {
     case Pick::Kind::vertex:
     case Pick::Kind::centre:
     case Pick::Kind::cargo:
+    case Pick::Kind::left_out:
     case Pick::Kind::uncertainty:
       return holds ? Cursor::grabbing : Cursor::grab;
     case Pick::Kind::frame:

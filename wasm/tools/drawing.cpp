@@ -301,7 +301,8 @@ std::optional<Vec2> support_spot(const AppState& state, const Vec2& to,
 }
 
 bool holds_support(const AppState& state) {
-  return state.view.held.kind == Pick::Kind::robot && state.work.edit_open &&
+  const Pick::Kind held = state.view.held.kind;
+  return (held == Pick::Kind::robot || held == Pick::Kind::left_out) && state.work.edit_open &&
          state.work.document().settings.method == Method::given;
 }
 
@@ -343,7 +344,7 @@ std::string closed_in_words(const Placement& placement, std::size_t robot) {
   return say(placement.settings.method == Method::balanced
                  ? "Robot {robot} cannot go there: no two neighbours could keep all loads equal."
                  : "Robot {robot} cannot go there: other robots are in the way.",
-             {robot + 1});
+             {placement.number_of(robot)});
 }
 
 bool can_go_on_drawing(const AppState& state) {

@@ -141,6 +141,23 @@ Pick robot_at(const AppState& state, const Placement& placement, const Vec2& scr
   return nearest.pick;
 }
 
+}  // namespace
+
+Pick left_out_at(const AppState& state, const Vec2& screen) {
+  Nearest nearest{14};
+  const Placement* placement = current_placement(state, false);
+  if (!placement || walkthrough_is_open(state)) return nearest.pick;
+  for (const LeftOut& each : placement->left_out) {
+    if (each.kind != LeftOut::Kind::support) continue;
+    const Vec2& at = placement->settings.supports[each.index];
+    nearest.offer(distance(state.view.camera.to_screen(at), screen),
+                  {Pick::Kind::left_out, each.index, 0, at});
+  }
+  return nearest.pick;
+}
+
+namespace {
+
 Pick edge_at(const AppState& state, const Vec2& screen) {
   Nearest nearest{state.session.screen.touch ? 16.0 : 8.0};
   const Vec2 world = state.view.camera.to_world(screen);
@@ -285,6 +302,9 @@ Pick pick(const AppState& state, const Vec2& screen, bool second) {
         (found.kind == Pick::Kind::none || first || away(robot) < away(found)))
       found = robot;
   }
+  if (!second)
+    if (const Pick outside = left_out_at(state, screen); outside.kind != Pick::Kind::none)
+      found = outside;
   if (found.kind == Pick::Kind::none) found = edge_at(state, screen);
   if (found.kind == Pick::Kind::none && placement) found = chord_at(state, *placement, screen);
   if (found.kind == Pick::Kind::none && placement) found = candidate_at(state, *placement, screen);
@@ -301,7 +321,7 @@ bool can_take_robot(const AppState& state, const Pick& pick) {
 
 Pick pick_to_hold(const AppState& state, const Vec2& screen, bool second) {
   const Pick nearest = pick(state, screen, second);
-  if (can_take_robot(state, nearest)) return nearest;
+  if (can_take_robot(state, nearest) || nearest.kind == Pick::Kind::left_out) return nearest;
   Pick found = part_at(state, screen);
   found.second = second;
   return found.kind == Pick::Kind::none ? nearest : found;

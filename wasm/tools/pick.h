@@ -123,6 +123,10 @@ Vec2 centre_of_mass(const AppState& state);
 // O(1).
 std::optional<Vec2> own_centroid(const AppState& state);
 
+// Returns the support at `screen` that is left out of the first picture; the kind is `none` if there
+// is none. O(m).
+Pick left_out_at(const AppState& state, const Vec2& screen);
+
 // Returns the weight at `screen`; the kind is `none` if no weight is there. O(items).
 Pick weight_at(const AppState& state, const Vec2& screen);
 

@@ -99,7 +99,7 @@ export async function openCard(
     root.style.top = `${bottom - height}px`;
     page.program.call("page_make_room", height);
   };
-  document.body.append(root);
+  canvas.after(root); // next to be reached by Tab
   seat();
   const { signal } = leave;
   // The loaded font needs a different amount of space.

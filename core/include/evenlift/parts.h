@@ -54,6 +54,7 @@ struct PartsAsked {
   bool weight_by_area = false;  // the documents' weights are by area, so none is known without one
   bool number_chosen = false;   // a capacity does not change the number of robots
   bool even_out = false, failures = false;
+  Misfitting misfitting = Misfitting::refused;
   LoadModel model = LoadModel::plan;
   bool as_json = false, candidates = false;
 };

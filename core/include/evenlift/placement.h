@@ -19,11 +19,32 @@
 
 namespace evenlift {
 
+// A support or a hole that does not fit the object: the support is outside it or in a hole, or the
+// hole is not strictly inside the outline and apart from the holes before it.
+struct LeftOut {
+  enum class Kind : std::uint8_t { support, hole };
+  Kind kind = Kind::support;
+  std::uint32_t index = 0;                    // from 0, in the document
+  std::optional<std::uint32_t> in_hole = {};  // of a support: the hole it is in, from 0
+  bool operator==(const LeftOut&) const = default;
+};
+
+// What place() does with supports and holes that do not fit: the document is refused, or they are
+// left out. A support that is left out bears nothing and is no robot; its reading still counts
+// (weighing.h), since it was taken before.
+enum class Misfitting : std::uint8_t { refused, left_out };
+
 struct Placement {
   explicit Placement(PolygonWithHoles placed) : object(std::move(placed)) {}
   const Polygon& polygon() const { return object.outline(); }
   const Points& vertices() const { return polygon().vertices(); }  // the outline, as given
   double weight() const { return total_weight(settings); }  // the weight that the robots share
+  // The support at which a given robot stands, from 0: the robot's own number, unless supports are
+  // left out. People know a robot by this number, counted from 1. O(1).
+  std::uint32_t support_of(std::size_t robot) const {
+    return robot < supports.size() ? supports[robot] : static_cast<std::uint32_t>(robot);
+  }
+  std::uint32_t number_of(std::size_t robot) const { return support_of(robot) + 1; }
 
   PolygonWithHoles object;
   Vec2 own_centre;                   // of the object without cargo: given, weighed, or the centroid
@@ -45,7 +66,9 @@ struct Placement {
   Closure closure;
   bool goal_reached = false;  // there are robots and, with the goal `hold`, hold_firmly() is true
   Moved moved = {};           // the robots that the user moved by hand (moved.h)
-  bool search_ended = true;   // false while a search or swaps may still find better robots
+  std::vector<LeftOut> left_out = {};        // in the document's order, holes first
+  std::vector<std::uint32_t> supports = {};  // of each robot, if any support is left out
+  bool search_ended = true;  // false while a search or swaps may still find better robots
   bool cut_short = false;  // whether a limit of work ended the search (most_work in balanced.h) or
                            // the swaps (most_swap_steps in swaps.h)
   // If robots that may be off by the setting `accuracy` have no room for as many as requested: a
@@ -89,13 +112,14 @@ bool is_held(const Placement& placement);
 // find_candidates(), check_swaps() and, for moved robots, with_moved() (moved.h). O(n log n + K log K) for K edge
 // pairs and O(n h) for the coverage, plus the cost of the stands (stands.h), the selection
 // (selection.h), the swaps (swaps.h) or the search for balanced robots (balanced.h).
-Result<Placement> place(const Document& document, Effort effort = Effort::whole);
+Result<Placement> place(const Document& document, Effort effort = Effort::whole,
+                        Misfitting misfitting = Misfitting::refused);
 
 // Computes the placement of an object that is already checked, for example after C or the settings
 // have changed.
 Result<Placement> place(PolygonWithHoles object, const std::optional<Vec2>& own_centre,
                         const Settings& settings, Effort effort = Effort::whole,
-                        const Moved& moved = {});
+                        const Moved& moved = {}, Misfitting misfitting = Misfitting::refused);
 
 // The candidates of an object, and the teams chosen among them. Finding both takes most of the time
 // of place().
@@ -115,7 +139,8 @@ Result<Placement> place_as_chosen(PolygonWithHoles object, const std::optional<V
 // The document with its supports moved to the nearest places at which their loads by springs are
 // equal (even_out() of supports.h). It is an error if there are no such places, if there are more
 // than most_evened supports, if the method is not `given`, or if place() refuses the document.
-Result<Document> with_even_supports(const Document& document);
+Result<Document> with_even_supports(const Document& document,
+                                    Misfitting misfitting = Misfitting::refused);
 
 // What with_even_supports() moved: the supports, from 0, that stand elsewhere after it. O(supports).
 struct SupportMove {

@@ -61,6 +61,10 @@ class SupportPlacer {
 Result<std::vector<LiftingPoint>> place_supports(const PolygonWithHoles& object,
                                                  const Settings& settings);
 
+// The same, with nothing for a support that has no place. O(n) for each support.
+Result<std::vector<std::optional<LiftingPoint>>> places_of_supports(const PolygonWithHoles& object,
+                                                                    const Settings& settings);
+
 // What the snap distance did, in sentences without a full stop: that supports that were farther than
 // 1e-6 L from the outline were put at the edge, and which supports are beneath the object although
 // they are within 10 snap distances of the outline. The supports must have places. O(n) for each

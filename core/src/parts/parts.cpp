@@ -30,12 +30,12 @@ void make_unique(std::vector<Part>& parts) {
 
 Result<Placement> placed(Document& document, const PartsAsked& asked, Beside& beside) {
   if (asked.even_out) {
-    Result<Document> even = with_even_supports(document);
+    Result<Document> even = with_even_supports(document, asked.misfitting);
     if (!even) return even.error();
     beside.evened_out = support_moves(document, *even);
     document = *std::move(even);
   }
-  return place(document);
+  return place(document, Effort::whole, asked.misfitting);
 }
 
 // Returns whether the number changed.

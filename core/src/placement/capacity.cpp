@@ -151,8 +151,9 @@ CapacityPlan plan_balanced(const Settings& settings, double capacity) {
 
 std::optional<double> capacity_of(const ShownPlacement& of, std::size_t robot) {
   const auto& own = of.shown.support_capacities;
-  return has_own_capacities(of) && robot < own.size() && own[robot] ? own[robot]
-                                                                    : of.shown.capacity;
+  const std::size_t support = of.placement.support_of(robot);
+  return has_own_capacities(of) && support < own.size() && own[support] ? own[support]
+                                                                        : of.shown.capacity;
 }
 
 double limit_of(double capacity, const Carrying& carrying) {

@@ -225,8 +225,8 @@ std::vector<PlacedRobot> placed_robots(const Placement& placement) {
       const double heading_deg = degrees_of(inward);
       robots.push_back({point.position, stands ? stands->contact(point) : point.position,
                         stands ? stands->stand(point) : point.position, is_beneath,
-                        static_cast<std::uint32_t>(t), robot.load, heading_deg,
-                        inward / length(inward)});
+                        placement.number_of(robots.size()), static_cast<std::uint32_t>(t),
+                        robot.load, heading_deg, inward / length(inward)});
     }
   }
   return robots;

@@ -1,6 +1,8 @@
 #include "evenlift/placement.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -72,25 +74,44 @@ void place_balanced(Placement& placement, Effort effort) {
   placement.cut_short = search->cut_short;
 }
 
-// Where given supports lift. Without `stands` robots are points.
-Result<std::vector<LiftingPoint>> lifting_supports(const PolygonWithHoles& object,
-                                                   const Settings& settings, const Stands* stands) {
-  auto robots = place_supports(object, settings);
-  if (robots && stands)
-    for (LiftingPoint& robot : *robots)
-      robot = stands->lifting_point(stands->beside_vertex(object.outline(), robot));
-  return robots;
+// Where given supports lift; nothing for those that have no place. Without `stands` robots are
+// points.
+Result<std::vector<std::optional<LiftingPoint>>> lifting_supports(const PolygonWithHoles& object,
+                                                                  const Settings& settings,
+                                                                  const Stands* stands,
+                                                                  Misfitting misfitting) {
+  auto places = places_of_supports(object, settings);
+  if (!places) return places;
+  const auto has_place = [](const auto& place) { return place.has_value(); };
+  if (misfitting == Misfitting::refused && !std::all_of(places->begin(), places->end(), has_place))
+    return place_supports(object, settings).error();
+  if (stands)
+    for (auto& robot : *places)
+      if (robot) robot = stands->lifting_point(stands->beside_vertex(object.outline(), *robot));
+  return places;
 }
 
 // The supports share the weight like springs: their loads are not planned.
-std::optional<InputError> place_given(Placement& placement) {
-  const auto robots =
-      lifting_supports(placement.object, placement.settings, placement.stands.get());
-  if (!robots) return robots.error();
-  placement.teams = {team_of(placement, *robots)};
-  const auto springs = spring_loads(positions(*robots), placement.centre_of_mass,
+std::optional<InputError> place_given(Placement& placement, Misfitting misfitting) {
+  const auto places =
+      lifting_supports(placement.object, placement.settings, placement.stands.get(), misfitting);
+  if (!places) return places.error();
+  std::vector<LiftingPoint> robots;
+  for (std::uint32_t i = 0; i < places->size(); ++i) {
+    if ((*places)[i]) {
+      robots.push_back(*(*places)[i]);
+      placement.supports.push_back(i);
+      continue;
+    }
+    const auto hole = placement.object.hole_around(placement.settings.supports[i]);
+    placement.left_out.push_back({LeftOut::Kind::support, i, hole});
+  }
+  if (robots.size() == places->size()) placement.supports.clear();
+  if (robots.empty()) return std::nullopt;
+  placement.teams = {team_of(placement, robots)};
+  const auto springs = spring_loads(positions(robots), placement.centre_of_mass,
                                     placement.polygon().diameter(), placement.weight());
-  take_loads(placement, springs ? springs->loads : std::vector<double>(robots->size(), 0));
+  take_loads(placement, springs ? springs->loads : std::vector<double>(robots.size(), 0));
   return std::nullopt;
 }
 
@@ -108,7 +129,8 @@ std::uint32_t requested_teams(const Placement& placement) {
 }
 
 // Also stores the candidates that the teams use.
-std::optional<InputError> choose_teams(Placement& placement, Effort effort) {
+std::optional<InputError> choose_teams(Placement& placement, Effort effort,
+                                       Misfitting misfitting = Misfitting::refused) {
   const Polygon& polygon = placement.polygon();
   const Vec2& centre = placement.centre_of_mass;
   const Settings& settings = placement.settings;
@@ -135,7 +157,7 @@ std::optional<InputError> choose_teams(Placement& placement, Effort effort) {
       place_balanced(placement, effort);
       return std::nullopt;
     case Method::given:
-      return place_given(placement);
+      return place_given(placement, misfitting);
   }
   placement.teams = distribute_weight(chords, placement.weight());
   return std::nullopt;
@@ -289,12 +311,49 @@ std::optional<InputError> check_settings(const Settings& settings, const Shown& 
                        "only area, circle and distance can place all candidates; give a number");
 }
 
-Result<Placement> place(const Document& document, Effort effort) {
+namespace {
+
+// The object without the holes that do not fit, and these. Each try leaves out one hole.
+Result<PolygonWithHoles> object_that_fits(const Document& document,
+                                          std::vector<LeftOut>& left_out) {
+  Document fitting = document;
+  std::vector<std::uint32_t> numbers(document.holes.size());
+  std::iota(numbers.begin(), numbers.end(), 0u);
+  for (;;) {
+    auto object = object_of(fitting);
+    const std::size_t ring = object ? 0 : object.error().place.ring;
+    if (ring == 0 || ring > fitting.holes.size()) {
+      std::sort(left_out.begin(), left_out.end(),
+                [](const LeftOut& a, const LeftOut& b) { return a.index < b.index; });
+      return object;
+    }
+    const auto hole = static_cast<std::ptrdiff_t>(ring) - 1;
+    left_out.push_back({LeftOut::Kind::hole, numbers[ring - 1]});
+    fitting.holes.erase(fitting.holes.begin() + hole);
+    numbers.erase(numbers.begin() + hole);
+  }
+}
+
+// With the numbers that the holes have in the document.
+void number_holes(Placement& placement, const std::vector<LeftOut>& holes) {
+  for (LeftOut& support : placement.left_out)
+    for (const LeftOut& hole : holes)
+      if (support.in_hole && hole.index <= *support.in_hole) ++*support.in_hole;
+  placement.left_out.insert(placement.left_out.begin(), holes.begin(), holes.end());
+}
+
+}  // namespace
+
+Result<Placement> place(const Document& document, Effort effort, Misfitting misfitting) {
   if (auto error = check_settings(document.settings, document.shown)) return *error;
-  auto object = object_of(document);
+  std::vector<LeftOut> holes;
+  auto object =
+      misfitting == Misfitting::refused ? object_of(document) : object_that_fits(document, holes);
   if (!object) return object.error();
-  return place(*std::move(object), document.centre_of_mass, document.settings, effort,
-               document.moved);
+  auto placement = place(*std::move(object), document.centre_of_mass, document.settings, effort,
+                         document.moved, misfitting);
+  if (placement) number_holes(*placement, holes);
+  return placement;
 }
 
 namespace {
@@ -307,7 +366,7 @@ struct Mass {
 };
 
 Result<Mass> mass_of(const PolygonWithHoles& object, const std::optional<Vec2>& own_centre,
-                     const Settings& settings) {
+                     const Settings& settings, Misfitting misfitting = Misfitting::refused) {
   Mass mass{settings, std::nullopt, {}};
   std::optional<Vec2> own = own_centre;
   if (is_weighed(settings)) {
@@ -319,9 +378,12 @@ Result<Mass> mass_of(const PolygonWithHoles& object, const std::optional<Vec2>& 
     // Stands of given supports do not depend on C.
     const auto stands = make_stands(object, object.outline().vertex(0), settings);
     if (!stands) return stands.error();
-    const auto robots = lifting_supports(object, settings, stands->get());
-    if (!robots) return robots.error();
-    auto weighing = weigh(positions(*robots), settings, object.outline().diameter());
+    const auto places = lifting_supports(object, settings, stands->get(), misfitting);
+    if (!places) return places.error();
+    Points robots = settings.supports;
+    for (std::size_t i = 0; i < robots.size(); ++i)
+      if ((*places)[i]) robots[i] = (*places)[i]->position;
+    auto weighing = weigh(robots, settings, object.outline().diameter());
     if (!weighing) return weighing.error();
     const OwnMass alone = own_mass(*weighing, settings);
     mass.settings.weight = alone.weight;
@@ -337,9 +399,10 @@ Result<Mass> mass_of(const PolygonWithHoles& object, const std::optional<Vec2>& 
 }  // namespace
 
 Result<Placement> place(PolygonWithHoles object, const std::optional<Vec2>& own_centre,
-                        const Settings& given, Effort effort, const Moved& moved) {
+                        const Settings& given, Effort effort, const Moved& moved,
+                        Misfitting misfitting) {
   if (auto error = check_settings(given)) return *error;
-  auto mass = mass_of(object, own_centre, given);
+  auto mass = mass_of(object, own_centre, given, misfitting);
   if (!mass) return mass.error();
   const Settings& settings = mass->settings;
   const CentreOfMass& centre = mass->centre;
@@ -362,7 +425,7 @@ Result<Placement> place(PolygonWithHoles object, const std::optional<Vec2>& own_
   placement.requested_teams = requested_teams(placement);
   // If all robots were moved by hand, there is no search.
   if (moved.robots.empty())
-    if (auto error = choose_teams(placement, effort)) return *std::move(error);
+    if (auto error = choose_teams(placement, effort, misfitting)) return *std::move(error);
   if (moved.robots.empty() && is_short(placement))
     placement.accuracy_with_room =
         accuracy_with_room(placement.object, placement.centre_of_mass, settings);
@@ -399,11 +462,11 @@ Result<std::vector<Candidate>> candidates_of(const Document& document) {
   return candidates_of(*object, mass->centre.all, document.settings, stands->get());
 }
 
-Result<Document> with_even_supports(const Document& document) {
+Result<Document> with_even_supports(const Document& document, Misfitting misfitting) {
   const std::string option = "even_out";
   if (document.settings.method != Method::given)
     return bad_setting(option, "only given supports can be evened out");
-  const auto placement = place(document);
+  const auto placement = place(document, Effort::whole, misfitting);
   if (!placement) return placement.error();
   const std::vector<LiftingPoint> robots = lifting_points(placement->teams);
   if (robots.size() > most_evened)
@@ -419,7 +482,8 @@ Result<Document> with_even_supports(const Document& document) {
   // Readings are those at the former places.
   Document moved = placement->weighing ? taken_over(document, *placement->weighing) : document;
   for (std::size_t i = 0; i < robots.size(); ++i)
-    if ((*even)[i].position != robots[i].position) moved.settings.supports[i] = touched[i].position;
+    if ((*even)[i].position != robots[i].position)
+      moved.settings.supports[placement->support_of(i)] = touched[i].position;
   return moved;
 }
 

@@ -35,19 +35,19 @@ constexpr CommandEntry commands[] = {
      Command::place,
      true,
      {"candidates", "failures", "even_out", "cases", "require", "weight_per_area", "thickness",
-      "density"}},
+      "density", "keep_misfits"}},
     {"candidates", Command::candidates, true, {}},
-    {"svg", Command::svg, true, {"candidates"}},
-    {"poses", Command::poses, true, {"format", "frame", "origin"}},
+    {"svg", Command::svg, true, {"candidates", "keep_misfits"}},
+    {"poses", Command::poses, true, {"format", "frame", "origin", "keep_misfits"}},
     {"link", Command::link, true, {}},
     {"optimum", Command::optimum, true, {}},
-    {"trace", Command::trace, true, {}},
+    {"trace", Command::trace, true, {"keep_misfits"}},
     {"shapes", Command::shapes, false, {"text", "bytes", "flatten", "join", "project", "holes"}},
     {"parts",
      Command::parts,
      true,
      {"candidates", "failures", "even_out", "require", "weight_per_area", "thickness", "density",
-      "sort"}},
+      "sort", "keep_misfits"}},
     {"experiment", Command::experiment, false, {"polygons", "settings"}},
     {"version", Command::version, false, {}},
 };
@@ -447,7 +447,8 @@ Problem Reader::take_members(Index object, Request& request) {
   for (const auto& [name, flag] : {std::pair("candidates", &request.candidates),
                                    {"failures", &request.failures},
                                    {"even_out", &request.even_out},
-                                   {"cases", &request.cases}})
+                                   {"cases", &request.cases},
+                                   {"keep_misfits", &request.keep_misfits}})
     if (auto wrong = take_flag(object, name, *flag)) return wrong;
   if (const auto at = given(object, "require")) {
     const Result<std::string> required = string(*at, "the conditions");

@@ -48,7 +48,7 @@ struct Request {
   std::string text;                  // for `shapes`
   ImportOptions import;              // of a text
   std::vector<std::string> notices;  // what was left out of polygon or text
-  bool candidates = false, failures = false, even_out = false, cases = false;
+  bool candidates = false, failures = false, even_out = false, cases = false, keep_misfits = false;
   std::vector<Condition> conditions;
   WeightByArea weight;
   std::vector<ImportedShape> parts;  // for `parts`

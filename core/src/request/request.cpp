@@ -52,15 +52,20 @@ std::string svg_answer(const Request& request, const Placement& placement) {
   return one_text("svg", placement_svg({placement, shown}, link ? *link : std::string()), request);
 }
 
+Misfitting misfitting_of(const Request& request) {
+  return request.keep_misfits ? Misfitting::left_out : Misfitting::refused;
+}
+
 std::string placed_answer(Request request) {
   std::optional<std::vector<SupportMove>> moves;
   if (request.even_out) {
-    auto even = with_even_supports(request.document);
+    auto even = with_even_supports(request.document, misfitting_of(request));
     if (!even) return error_answer(even.error());
     moves = support_moves(request.document, *even);
     request.document = *std::move(even);
   }
-  const Result<Placement> placement = place(request.document);
+  const Result<Placement> placement =
+      place(request.document, Effort::whole, misfitting_of(request));
   if (!placement) return error_answer(placement.error());
   if (request.command == Command::svg) return svg_answer(request, *placement);
   if (request.command == Command::poses)
@@ -90,7 +95,8 @@ std::string optimum_answer(const Request& request) {
 
 std::string trace_answer(const Request& request) {
   // The trace does the search for balanced robots itself.
-  const Result<Placement> placement = place(request.document, Effort::start);
+  const Result<Placement> placement =
+      place(request.document, Effort::start, misfitting_of(request));
   if (!placement) return error_answer(placement.error());
   const Result<Trace> trace =
       make_trace(*placement, HistoryLength::whole, request.document.shown.units);
@@ -127,6 +133,7 @@ std::string parts_answer(const Request& request) {
                          .number_chosen = request.number_chosen,
                          .even_out = request.even_out,
                          .failures = request.failures,
+                         .misfitting = misfitting_of(request),
                          .as_json = true,
                          .candidates = request.candidates};
   std::vector<PartResult> results;

@@ -154,18 +154,32 @@ Vec2 widest_addition(const Polygon& polygon, const Points& robots) {
   return widest.value_or(loneliest);
 }
 
+Result<std::vector<std::optional<LiftingPoint>>> places_of_supports(const PolygonWithHoles& object,
+                                                                    const Settings& settings) {
+  const SupportPlacer placer(object, settings);
+  std::vector<std::optional<LiftingPoint>> places;
+  places.reserve(settings.supports.size());
+  for (const Vec2& support : settings.supports) {
+    if (is_too_near_to_0(support))
+      return error_at(places.size(), "a coordinate is below 1e-100 in size but not 0");
+    places.push_back(placer.place(support));
+  }
+  return places;
+}
+
 Result<std::vector<LiftingPoint>> place_supports(const PolygonWithHoles& object,
                                                  const Settings& settings) {
-  const SupportPlacer placer(object, settings);
+  const auto places = places_of_supports(object, settings);
+  if (!places) return places.error();
   std::vector<LiftingPoint> points;
-  points.reserve(settings.supports.size());
-  for (std::size_t i = 0; i < settings.supports.size(); ++i) {
-    const Vec2& support = settings.supports[i];
-    if (is_too_near_to_0(support))
-      return error_at(i, "a coordinate is below 1e-100 in size but not 0");
-    const auto point = placer.place(support);
-    if (!point) return error_at(i, why_refused(object, placer, support));
-    points.push_back(*point);
+  points.reserve(places->size());
+  for (const auto& place : *places) {
+    if (!place) {
+      const std::size_t i = points.size();
+      return error_at(i,
+                      why_refused(object, SupportPlacer(object, settings), settings.supports[i]));
+    }
+    points.push_back(*place);
   }
   return points;
 }

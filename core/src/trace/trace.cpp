@@ -267,6 +267,8 @@ Result<Trace> make_trace(const Placement& placement, HistoryLength length, const
     if (trace) trace->moved = placement;
     return trace;
   }
+  if (placement.settings.method == Method::given && placement.teams.empty())
+    return bad_setting("supports", "no support stands beneath the object or at its edge");
   Trace trace{.placement = placement,
               .centre = placement.centre_of_mass,
               .units = units,

@@ -266,6 +266,8 @@ class PlaceOptions(Settings, PolygonOptions, WeightOptions, total=False):
     """The effect of each robot's failure."""
     even_out: Optional[bool]
     """Moves two or three supports to the edge so that all carry the same load."""
+    keep_misfits: Optional[bool]
+    """Leaves out supports and holes that do not fit the object, instead of refusing it."""
     cases: Optional[bool]
     """The loads in each case."""
     require: str
@@ -284,6 +286,8 @@ class SvgOptions(Settings, PolygonOptions, total=False):
 
     candidates: Optional[bool]
     """Shows the candidates."""
+    keep_misfits: Optional[bool]
+    """Leaves out supports and holes that do not fit the object."""
 
 
 class PosesOptions(Settings, PolygonOptions, total=False):
@@ -344,9 +348,7 @@ class Team(TypedDict):
     """In the order of the ends; `null` if the object falls."""
 
 
-class Robot(TypedDict):
-    """A robot."""
-
+class _Robot(TypedDict):
     at: Position
     """The lifting point."""
     team: int
@@ -361,6 +363,13 @@ class Robot(TypedDict):
     """The direction of the inward normal in degrees, above −180 and up to 180 (at a vertex, the bisector of the normals of its two edges); `null` beneath the object."""
     place: Union[Literal["edge"], Literal["beneath"]]
     """Only a support stands beneath."""
+
+
+class Robot(_Robot, total=False):
+    """A robot."""
+
+    support: int
+    """Its number among `supports`, counted from 0, if some are left out."""
 
 
 class LoadModels(TypedDict):
@@ -682,6 +691,16 @@ class LoadCase(TypedDict):
     """Whether the object stands and cannot tip."""
 
 
+class LeftOut(TypedDict):
+    """A support or a hole that does not fit the object."""
+
+    kind: Union[Literal["support"], Literal["hole"]]
+    index: int
+    """Counted from 0."""
+    in_hole: Optional[int]
+    """The hole that the support is in; `null` outside the object."""
+
+
 EvenedOut = TypedDict("EvenedOut", {"robot": int, "from": Position, "to": Position, "by": float})
 """A support that was moved to even out the loads."""
 
@@ -790,6 +809,8 @@ class PlacementDict(_PlacementDict, total=False):
     """If they are asked for: in order of slope, for every method, even if it does not use candidates."""
     robots: list[Robot]
     """Team by team; missing without a team, like `robustness` and `accuracy`."""
+    left_out: list[LeftOut]
+    """With `keep_misfits` only: supports and holes that do not fit the object, and do not count."""
     misfits: list[Misfit]
     """With `given` only: the supports that do not fit."""
     tips_over: list[int]

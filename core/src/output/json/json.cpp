@@ -337,6 +337,20 @@ std::string candidates_json(const std::vector<Candidate>& candidates,
   return json::long_object(members, 0) + "\n";
 }
 
+namespace {
+
+std::string left_out_json(const Placement& placement) {
+  std::vector<std::string> items;
+  for (const LeftOut& each : placement.left_out)
+    items.push_back(
+        json::object({{"kind", json::text(each.kind == LeftOut::Kind::hole ? "hole" : "support")},
+                      {"index", std::to_string(each.index)},
+                      {"in_hole", each.in_hole ? std::to_string(*each.in_hole) : "null"}}));
+  return json::array(items);
+}
+
+}  // namespace
+
 std::string placement_json(const ShownPlacement& of, bool with_candidates, Asked asked) {
   asked.models = true;
   return placement_json({of, asked}, with_candidates, asked.failures);
@@ -368,6 +382,7 @@ std::string placement_json(const Reported& of, bool with_candidates, bool with_f
     members.push_back(json::quantity(member, of));
   members.push_back({"verdict", verdict_json(judge(of))});
   if (given) add_misfits(members, of);
+  if (!placement.left_out.empty()) members.push_back({"left_out", left_out_json(placement)});
   if (settings.method == Method::balanced || placement.cut_short)
     members.push_back(
         {"search_ended", json::boolean(placement.search_ended && !placement.cut_short)});

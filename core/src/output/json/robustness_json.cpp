@@ -71,14 +71,18 @@ Member quantity(std::string_view name, const Reported& of) {
 
 std::string robots(const Placement& placement, int depth) {
   std::vector<std::string> items;
-  for (const PlacedRobot& robot : placed_robots(placement))
-    items.push_back(object({{"at", pair(robot.at)},
-                            {"team", std::to_string(robot.team)},
-                            {"load", placement.loads ? number(robot.load) : "null"},
-                            {"contact", robot.beneath ? "null" : pair(robot.contact)},
-                            {"stand", pair(robot.stand)},
-                            {"heading", robot.beneath ? "null" : number(robot.heading_deg)},
-                            {"place", text(robot.beneath ? "beneath" : "edge")}}));
+  for (const PlacedRobot& robot : placed_robots(placement)) {
+    std::vector<Member> members = {{"at", pair(robot.at)},
+                                   {"team", std::to_string(robot.team)},
+                                   {"load", placement.loads ? number(robot.load) : "null"},
+                                   {"contact", robot.beneath ? "null" : pair(robot.contact)},
+                                   {"stand", pair(robot.stand)},
+                                   {"heading", robot.beneath ? "null" : number(robot.heading_deg)},
+                                   {"place", text(robot.beneath ? "beneath" : "edge")}};
+    if (!placement.supports.empty())
+      members.push_back({"support", std::to_string(robot.number - 1)});
+    items.push_back(object(members));
+  }
   return long_array(items, depth);
 }
 

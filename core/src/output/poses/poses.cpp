@@ -45,7 +45,7 @@ std::string as_csv(const std::vector<PlacedRobot>& robots, bool carried, const U
       "," + unit_or_nothing(units.length) + "," + std::string(name(units.weight)) + "\n";
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const PlacedRobot& robot = robots[i];
-    text += std::to_string(i + 1) + "," + std::to_string(robot.team + 1);
+    text += std::to_string(robot.number) + "," + std::to_string(robot.team + 1);
     for (const double value : {robot.at.x, robot.at.y, robot.heading_deg})
       text += "," + shortest(without_sign(value));
     text += "," + (carried ? shortest(without_sign(robot.load)) : std::string());
@@ -61,7 +61,7 @@ std::string as_json(const std::vector<PlacedRobot>& robots, bool carried, const 
     const PlacedRobot& robot = robots[i];
     const auto number = [](double value) { return json::number(without_sign(value)); };
     items.push_back(json::object(
-        {{"robot", std::to_string(i + 1)},
+        {{"robot", std::to_string(robot.number)},
          {"team", std::to_string(robot.team + 1)},
          {"x", number(robot.at.x)},
          {"y", number(robot.at.y)},
@@ -122,10 +122,10 @@ std::string as_yaml(const std::vector<PlacedRobot>& robots, bool carried, const 
     const auto [z, w] = half_turn(robot.direction);
     text += "  # " +
             (carried ? say("Robot {robot} (team {team}) carries {load}",
-                           {i + 1, robot.team + 1,
+                           {robot.number, robot.team + 1,
                             shortest(robot.load) + " " + std::string(name(units.weight))})
                      : say("Robot {robot} (team {team}) carries nothing: the object falls",
-                           {i + 1, robot.team + 1})) +
+                           {robot.number, robot.team + 1})) +
             "\n";
     text += "  - position: " +
             vector_in_yaml({{"x", in_metres(robot.at.x, units.length)},

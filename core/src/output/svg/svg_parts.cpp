@@ -166,7 +166,7 @@ std::vector<Stand> find_stands(const Placement& placement, const std::vector<Pla
   const auto add = [&](const LiftingPoint& point, std::size_t team) {
     const std::size_t robot = added;
     const LoadRange load = loads.empty() ? LoadRange{} : loads[robot];
-    const std::string number = std::to_string(robot + 1);
+    const std::string number = std::to_string(placement.number_of(robot));
     const Vec2 at = paper(point.position);
     std::optional<Box> body;
     if (!sized.empty()) body = body_box(sized[added], placement.stands->robot(), paper);

@@ -306,7 +306,7 @@ std::string StepCaptions::support() const {
       : touches
           ? "Robot {robot} stands at the edge, at {point}: it lifts there, and it can also push sideways."
           : "Robot {robot} stands at a corner, at {point}: it lifts there; a push from the side is not counted.";
-  return fill(pattern, {counted_from_1(item_), point_text(trace_, place.position)});
+  return fill(pattern, {whole(placement_.number_of(item_)), point_text(trace_, place.position)});
 }
 
 std::string StepCaptions::equations() const {

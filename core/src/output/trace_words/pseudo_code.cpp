@@ -199,6 +199,7 @@ class FigureWords {
       : trace_(trace), detail_(detail), figure_(figure), index_(figure.item.value_or(0)) {}
 
   std::string item() const { return written(counted_from_1(index_)); }
+  std::string number_of_robot() const { return written(whole(trace_.placement.number_of(index_))); }
   std::string ratio() const { return written(ratio_text(figure_.value, least_ratio())); }
   std::string point() const { return written(point_text(trace_, figure_.points[0])); }
   std::string length() const { return written(length_text(trace_, figure_.value)); }
@@ -211,7 +212,7 @@ class FigureWords {
     return written(counted_from_1(trace_.rays.chords[index_].vertex));
   }
   std::string robot_of_contact() const {
-    return written(counted_from_1(trace_.contacts[index_].point));
+    return written(whole(trace_.placement.number_of(trace_.contacts[index_].point)));
   }
   std::string edge_of_contact() const {
     return written(counted_from_1(trace_.contacts[index_].edge));
@@ -255,7 +256,7 @@ class FigureWords {
   std::string robot() const {
     std::string text;
     if (trace_.balanced() || trace_.given()) {
-      text = fill("Robot {robot}", {item()});
+      text = fill("Robot {robot}", {number_of_robot()});
     } else {
       const auto [team, number] = find_robot(trace_.placement.teams, index_);
       text = fill("Team {team}, robot {robot}", {counted_from_1(team), counted_from_1(number)});
@@ -322,7 +323,7 @@ constexpr FigureRow figure_rows[] = {
     {FigureKind::translation,   "It can slide this way"},
     {FigureKind::lever,         "A lever that turns about C"},
     {FigureKind::side,          "Two robots that lift together, as if at the middle between them"},
-    {FigureKind::arm,           "From C to robot {robot}", {&W::item}},
+    {FigureKind::arm,           "From C to robot {robot}", {&W::number_of_robot}},
     {FigureKind::sum,           "The arrows end to end, each scaled to its share of the weight: they return to C"},
     {FigureKind::middle,        "M {point}, the middle between two robots", {&W::point}},
     {FigureKind::stand,         "A trial point {point}, where one robot goes", {&W::point}},
@@ -336,7 +337,7 @@ constexpr FigureRow figure_rows[] = {
     {FigureKind::unusable,      "Edge {edge}: {reason}", {&W::edge_of_unusable, &W::why_unusable}},
     {FigureKind::body,          "{body}", {&W::body}},
     {FigureKind::hand,          "{body}", {&W::body}},
-    {FigureKind::share,         "The share of robot {robot}: {share}", {&W::item, &W::signed_share}},
+    {FigureKind::share,         "The share of robot {robot}: {share}", {&W::number_of_robot, &W::signed_share}},
     {FigureKind::level,         "Here springs would carry {load}", {&W::load}},
     {FigureKind::sinks,         "The object sinks most in this direction"},
     {FigureKind::hole,          "Hole {hole}", {&W::item}},

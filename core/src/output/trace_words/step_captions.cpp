@@ -430,7 +430,8 @@ std::string StepCaptions::cut() const {
   const Contact& contact = trace_.contacts[item_];
   const std::string text = fill(
       "Contact {contact}, robot {robot} on edge {edge}. It pushes along its normal line: the object can turn clockwise only about points to the right of the line, counter-clockwise only about points to the left.",
-      {counted_from_1(item_), counted_from_1(contact.point), counted_from_1(contact.edge)});
+      {counted_from_1(item_), whole(placement_.number_of(contact.point)),
+       counted_from_1(contact.edge)});
   if (detail_.clockwise.has_area && detail_.counterclockwise.has_area)
     return sentences(
         {text,

@@ -12,13 +12,14 @@
 #include "evenlift/output/words.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
+#include "output/words/listed.h"
 
 namespace evenlift {
 namespace {
 
 std::string misfit_sentence(const ShownPlacement& of, const Misfit& misfit) {
   const RobotSize& size = of.placement.settings.robot;
-  const std::uint32_t robot = misfit.robot + 1;
+  const std::uint32_t robot = of.placement.number_of(misfit.robot);
   switch (misfit.why) {
     case Misfit::Why::outside:
       return size.radius > 0 ? say("Robot {robot} has no room for its body of radius {radius}.",
@@ -35,7 +36,8 @@ std::string misfit_sentence(const ShownPlacement& of, const Misfit& misfit) {
     case Misfit::Why::too_near:
       break;
   }
-  return say("Robots {other} and {robot} are too near to each other.", {misfit.other + 1, robot});
+  return say("Robots {other} and {robot} are too near to each other.",
+             {of.placement.number_of(misfit.other), robot});
 }
 
 }  // namespace
@@ -64,6 +66,45 @@ std::vector<std::string> misfits_in_words(const Reported& of) {
   return sentences;
 }
 
+namespace {
+
+// "Robots 3 and 5 are outside the object: they bear nothing."
+std::string left_out_sentence(const Placement& placement, const LeftOut& first) {
+  std::vector<std::size_t> numbers;
+  for (const LeftOut& each : placement.left_out)
+    if (each.kind == first.kind && each.in_hole == first.in_hole)
+      numbers.push_back(each.index + std::size_t{1});
+  const bool one = numbers.size() == 1;
+  const std::string named = listed(numbers);
+  if (first.kind == LeftOut::Kind::hole)
+    return say(one ? "Hole {holes} does not fit the object, and is left out."
+                   : "Holes {holes} do not fit the object, and are left out.",
+               {named});
+  if (!first.in_hole)
+    return say(one ? "Robot {robots} is outside the object: it bears nothing."
+                   : "Robots {robots} are outside the object: they bear nothing.",
+               {named});
+  return say(one ? "Robot {robots} is in hole {hole}: it bears nothing."
+                 : "Robots {robots} are in hole {hole}: they bear nothing.",
+             {named, *first.in_hole + 1});
+}
+
+}  // namespace
+
+std::vector<std::string> left_out_in_words(const Placement& placement) {
+  std::vector<std::string> sentences;
+  for (std::size_t i = 0; i < placement.left_out.size(); ++i) {
+    const LeftOut& each = placement.left_out[i];
+    const auto is_told = [&](const LeftOut& other) {
+      return other.kind == each.kind && other.in_hole == each.in_hole;
+    };
+    if (std::none_of(placement.left_out.begin(),
+                     placement.left_out.begin() + static_cast<std::ptrdiff_t>(i), is_told))
+      sentences.push_back(left_out_sentence(placement, each));
+  }
+  return sentences;
+}
+
 Judgement judge(const Reported& of) {
   const Placement& placement = of.placement;
   Judgement judgement;
@@ -75,13 +116,16 @@ Judgement judge(const Reported& of) {
   };
   if (placement.teams.empty()) {
     judgement.kind = VerdictKind::bad;
-    add("no_place", placement.search_ended ? shortage_in_words(placement) : loads_in_words(of));
+    for (std::string& sentence : left_out_in_words(placement)) add("left_out", std::move(sentence));
+    if (placement.left_out.empty() || placement.settings.method != Method::given)
+      add("no_place", placement.search_ended ? shortage_in_words(placement) : loads_in_words(of));
     return judgement;
   }
   const bool stands = placement.loads.has_value();
   if (!stands) add("falls", loads_in_words(of));
   if (stands) add(of.report.tips ? "tips" : "overloaded", worst_news_in_words(of));
   const bool is_bad = !reasons.empty();
+  for (std::string& sentence : left_out_in_words(placement)) add("left_out", std::move(sentence));
   for (std::string& misfit : misfits_in_words(of)) add("misfit", std::move(misfit));
   add("fewer_teams", shortage_in_words(placement));
   add("not_upright", upright_in_words(of));

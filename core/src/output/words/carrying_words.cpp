@@ -203,11 +203,11 @@ LoadHere extra_here_in_words(const ExtraLoad& extra, const Vec2& at, const Shown
   if (!overloaded.empty())
     words += " · " + say(overloaded.size() == 1 ? "overloaded: robot {robots}"
                                                 : "overloaded: robots {robots}",
-                         {numbers_from_1(overloaded)});
+                         {numbers_of(of.placement, overloaded)});
   if (!idle.empty())
     words +=
         " · " + say(idle.size() == 1 ? "robot {robots} goes slack" : "robots {robots} go slack",
-                    {numbers_from_1(idle)});
+                    {numbers_of(of.placement, idle)});
   const bool is_fine = is_within(extra.region, at, of.placement.polygon().diameter());
   if (!is_fine && overloaded.empty() && idle.empty())
     words += " · " + say("not under all given conditions");

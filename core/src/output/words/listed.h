@@ -32,6 +32,14 @@ std::string numbers_from_1(const std::vector<Number>& numbers) {
   return listed(shown);
 }
 
+// The same of robots by the numbers that people know (Placement::number_of()).
+template <class Robots, class Indices>
+std::string numbers_of(const Robots& placement, const Indices& robots) {
+  std::vector<std::size_t> shown;
+  for (const auto robot : robots) shown.push_back(placement.number_of(robot));
+  return listed(shown);
+}
+
 inline std::string with_capital(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
     text[0] = static_cast<char>(text[0] - 'a' + 'A');

@@ -14,7 +14,8 @@ namespace {
 
 using Robots = std::vector<std::size_t>;
 
-std::string springs_in_words(const SpringLoads& springs, const Units& units) {
+std::string springs_in_words(const Placement& placement, const SpringLoads& springs,
+                             const Units& units) {
   const auto [least, greatest] = std::minmax_element(springs.loads.begin(), springs.loads.end());
   const std::string text = say(
       "If all robots are equally stiff and level and the object does not bend, they carry {loads} "
@@ -22,7 +23,7 @@ std::string springs_in_words(const SpringLoads& springs, const Units& units) {
       {load_in_words(*least, *greatest, *greatest, units)});
   Robots idle;
   for (std::size_t i = 0; i < springs.loads.size(); ++i)
-    if (springs.loads[i] == 0) idle.push_back(i + 1);
+    if (springs.loads[i] == 0) idle.push_back(placement.number_of(i));
   if (idle.empty()) return text;
   return text + " " +
          say(idle.size() == 1 ? "Robot {robots} goes slack." : "Robots {robots} go slack.",
@@ -110,7 +111,7 @@ std::string model_in_words(const Reported& of) {
     case LoadModel::plan:
       return {};
     case LoadModel::springs:
-      return springs_in_words(loads.springs, units);
+      return springs_in_words(of.placement, loads.springs, units);
     case LoadModel::best:
       return say("However well the weight is shared, some robot carries at least {load}.",
                  {load_in_words(loads.best, units, Toward::down)});
@@ -145,15 +146,16 @@ std::string failures_in_words(const Reported& of) {
   bool disturbed = false;
   for (std::size_t i = 0; i < failures.size(); ++i) {
     if (!failures[i]) {
-      needed.push_back(i + 1);
+      needed.push_back(of.placement.number_of(i));
       continue;
     }
     if (!failures[i]->stays) {
-      tips.push_back(i + 1);
+      tips.push_back(of.placement.number_of(i));
       continue;
     }
-    if (!failures[i]->clear) for_steadiness.push_back(i + 1);
-    if (i < overloaded.size() && !overloaded[i].empty()) for_capacity.push_back(i + 1);
+    if (!failures[i]->clear) for_steadiness.push_back(of.placement.number_of(i));
+    if (i < overloaded.size() && !overloaded[i].empty())
+      for_capacity.push_back(of.placement.number_of(i));
     greatest = std::max(greatest, greatest_after(*failures[i]));
     disturbed = disturbed || is_disturbed(*failures[i]);
   }
@@ -193,14 +195,14 @@ std::string failure_in_words(const ShownPlacement& of, std::size_t robot,
   const std::optional<double>& capacity = of.shown.capacity;
   const std::string conditions = conditions_in_words(of.shown);
   const std::string others = in_letters(robots - 1);
-  if (robots == 1) return say("Robot {robot} fails: nothing else carries the object.", {robot + 1});
+  const std::uint32_t number = of.placement.number_of(robot);
+  if (robots == 1) return say("Robot {robot} fails: nothing else carries the object.", {number});
   if (!rest)
     return robots == 2
-               ? say("Robot {robot} fails: the other one cannot carry the object.", {robot + 1})
+               ? say("Robot {robot} fails: the other one cannot carry the object.", {number})
                : say("Robot {robot} fails: the other {number} cannot carry the object.",
-                     {robot + 1, others});
-  if (!rest->stays)
-    return say("Robot {robot} fails: it tips {conditions}.", {robot + 1, conditions});
+                     {number, others});
+  if (!rest->stays) return say("Robot {robot} fails: it tips {conditions}.", {number, conditions});
   const double greatest = greatest_after(*rest);
   const std::string most =
       say(is_disturbed(*rest) ? "at most {load} each within the given conditions"
@@ -213,12 +215,12 @@ std::string failure_in_words(const ShownPlacement& of, std::size_t robot,
                     ? "Robot {robot} fails: the other one carries the object, {most}, but it can "
                       "tip."
                     : "Robot {robot} fails: the other one carries the object, {most}.",
-                {robot + 1, most})
+                {number, most})
           : say(can_tip
                     ? "Robot {robot} fails: the other {number} carry the object, {most}, but it "
                       "can tip."
                     : "Robot {robot} fails: the other {number} carry the object, {most}.",
-                {robot + 1, others, most});
+                {number, others, most});
   return capacity && exceeds(greatest, limit_of(*capacity, of.shown.carrying))
              ? text + " " + say("Capacity: {capacity}.", {given_weight(*capacity, units)})
              : text;
@@ -234,8 +236,8 @@ std::string rest_in_words(const Reported& of) {
 namespace {
 
 // As the subject and verb of a sentence.
-std::string first_to_fail(const Accuracy::First& first) {
-  const auto number = [&](std::size_t i) { return first.robots[i] + 1; };
+std::string first_to_fail(const Placement& placement, const Accuracy::First& first) {
+  const auto number = [&](std::size_t i) { return placement.number_of(first.robots[i]); };
   switch (first.what) {
     case Promise::fits:
       return first.robots.size() == 1 ? say("robot {robot} may have no room", {number(0)})
@@ -264,7 +266,8 @@ std::string broken_in_words(const Reported& of) {
   const Accuracy& all = of.report.accuracy;
   if (all.keeps_asked(near_distance(of.placement.polygon().diameter()))) return {};
   return say("With robots off by {distance} or more, {problem}.",
-             {promised_length(all.first->within, of.shown.units), first_to_fail(*all.first)});
+             {promised_length(all.first->within, of.shown.units),
+              first_to_fail(of.placement, *all.first)});
 }
 
 // For the accuracy that is asked for.
@@ -279,7 +282,8 @@ std::string with_asked(const Reported& of) {
   return say(
       "With robots off by up to {distance} all of this still holds; robot {robot} then carries up "
       "to about {load}.",
-      {asked, all.greatest->robot + 1, load_in_words(all.greatest->load, units, Toward::up)});
+      {asked, of.placement.number_of(all.greatest->robot),
+       load_in_words(all.greatest->load, units, Toward::up)});
 }
 
 }  // namespace
@@ -310,16 +314,16 @@ std::string accuracy_in_words(const Reported& of) {
             "{robots} stays in its inward corner."
           : "All of this holds if robots stand within {distance} of their places, and robots "
             "{robots} stay in their inward corners.",
-      {within, numbers_from_1(exact)});
+      {within, numbers_of(of.placement, exact)});
 }
 
 std::string upright_in_words(const Reported& of) {
   if (of.placement.lifting_base.size() < 3) return {};
   const auto& line = of.report.tipping_line;
   if (!line || of.report.tips || of.report.upright) return {};
-  return say(
-      "C is only {distance} inside the line from robot {a} to robot {b}.",
-      {promised_length(line->distance, of.shown.units), line->robots[0] + 1, line->robots[1] + 1});
+  return say("C is only {distance} inside the line from robot {a} to robot {b}.",
+             {promised_length(line->distance, of.shown.units),
+              of.placement.number_of(line->robots[0]), of.placement.number_of(line->robots[1])});
 }
 
 }  // namespace evenlift

@@ -27,8 +27,9 @@ std::string joined(std::initializer_list<std::string> sentences) {
 }
 
 // "robots 3 and 4", from 1.
-std::string robots_of(const std::vector<std::size_t>& robots) {
-  return say(robots.size() == 1 ? "robot {robots}" : "robots {robots}", {numbers_from_1(robots)});
+std::string robots_of(const Placement& placement, const std::vector<std::size_t>& robots) {
+  return say(robots.size() == 1 ? "robot {robots}" : "robots {robots}",
+             {numbers_of(placement, robots)});
 }
 
 // Whether the loads of this model are shown as ranges.
@@ -74,7 +75,7 @@ std::string overload_in_words(const Reported& of, const std::vector<std::size_t>
                            : robots.size() == 1                                 ? 1
                                                                                 : 2;
   return say_written(sentences[verb][has_own ? 0 : 1], values, has_own ? 1 : 2) +
-         (are_all ? "" : ": " + robots_of(robots)) + ".";
+         (are_all ? "" : ": " + robots_of(placement, robots)) + ".";
 }
 
 // The plan assumes that all robots work, level and even ground, and an exact C. If other loads are
@@ -142,7 +143,8 @@ std::string fragile_hold_in_words(const ShownPlacement& of) {
   return say(
       "It is held only as long as robot {robot} stands accurately: it is only {distance} from a "
       "corner.",
-      {clearance.point.value_or(0) + 1, promised_length(clearance.distance, of.shown.units)});
+      {of.placement.number_of(clearance.point.value_or(0)),
+       promised_length(clearance.distance, of.shown.units)});
 }
 
 bool stands_beneath(const Placement& placement) {
@@ -159,7 +161,7 @@ std::string fall_in_words(const Reported& of) {
   const double outside = -equilibrium.com_margin;
   return say(
       "It falls: the centre of mass is {distance} outside the lifting base, beyond {robots}.",
-      {with_length_unit(amount(outside, outside), of.shown.units), robots_of(over)});
+      {with_length_unit(amount(outside, outside), of.shown.units), robots_of(of.placement, over)});
 }
 
 // For messages about settings and links.
@@ -442,7 +444,7 @@ std::string if_uneven_in_words(const Reported& of) {
       who.size() > most_named
           ? say("If one of them stands a little high, some robot can come to carry {load}.", {load})
           : say("If one of them stands a little high, {robots} can come to carry {load}.",
-                {robots_of(who), load});
+                {robots_of(of.placement, who), load});
   const std::vector<std::size_t>& overloaded = report.overloaded_at_worst;
   if (overloaded.empty() || overloaded == report.overloaded) return text;
   return text + " " + overload_in_words(of, overloaded, LoadModel::worst);
