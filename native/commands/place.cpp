@@ -146,6 +146,7 @@ std::string for_people(const Reported& of, bool with_candidates,
   sentences += robustness_lines(of);
   if (const std::string weighing = weighing_in_words(of); !weighing.empty())
     sentences += weighing + "\n";
+  for (const std::string& left_out : left_out_in_words(placement)) sentences += left_out + "\n";
   for (const std::string& misfit : misfits_in_words(of)) sentences += misfit + "\n";
   if (beside.evened_out) sentences += moves_in_words(*beside.evened_out, of) + "\n";
   for (const Requirement& requirement : requirements)

@@ -211,8 +211,8 @@ TEST_CASE("people know robots by the numbers of their supports, also when others
   CHECK(plainly(capacity_in_words(of)) == "1 of 3 robots is overloaded: robot 3.");
   CHECK(plainly(failures_in_words(of)) == "The object falls whichever robot fails.");
   CHECK(left_out_in_words(*kept) ==
-        std::vector<std::string>{"Robot 1 is outside the object: it bears nothing.",
-                                 "Robot 5 is in hole 1: it bears nothing."});
+        std::vector<std::string>{"Robot 1 is outside the object: it carries nothing.",
+                                 "Robot 5 is in hole 1: it carries nothing."});
   CHECK(judge(of).codes[1] == "left_out");
   CHECK(poses_text(of, PoseFormat::csv).find("\n4,1,0.5,1,") != std::string::npos);
   CHECK(placement_svg(of).find(">4<") != std::string::npos);
@@ -223,7 +223,7 @@ TEST_CASE("people know robots by the numbers of their supports, also when others
   REQUIRE(none);
   CHECK(none->teams.empty());
   CHECK(judge(*none).reasons ==
-        std::vector<std::string>{"Robots 1 and 2 are outside the object: they bear nothing."});
+        std::vector<std::string>{"Robots 1 and 2 are outside the object: they carry nothing."});
   CHECK(judge(*none).kind == VerdictKind::bad);
 }
 
@@ -239,12 +239,12 @@ TEST_CASE("holes that do not fit are left out, the later of two that meet",
   const auto kept = place(document, Effort::whole, Misfitting::left_out);
   REQUIRE(kept);
   CHECK(kept->object.rings_of_holes() == std::vector<Points>{document.holes[1], document.holes[3]});
-  CHECK(kept->left_out == std::vector<LeftOut>{{LeftOut::Kind::hole, 0, {}},
-                                               {LeftOut::Kind::hole, 2, {}},
-                                               {LeftOut::Kind::support, 3, 3u}});
+  CHECK(kept->left_out == std::vector<Misplaced>{{Misplaced::Kind::hole, 0, {}},
+                                                 {Misplaced::Kind::hole, 2, {}},
+                                                 {Misplaced::Kind::support, 3, 3u}});
   CHECK(left_out_in_words(*kept) ==
         std::vector<std::string>{"Holes 1 and 3 do not fit the object, and are left out.",
-                                 "Robot 4 is in hole 4: it bears nothing."});
+                                 "Robot 4 is in hole 4: it carries nothing."});
   document.vertices = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};  // the outline itself must be valid
   CHECK_FALSE(place(document, Effort::whole, Misfitting::left_out).ok());
 }

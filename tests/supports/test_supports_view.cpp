@@ -285,10 +285,10 @@ TEST_CASE("a dragged vertex takes along the robots on its edges, and leaves out 
   CHECK(length(supports(state)[1] - Vec2(50, 275)) < 1e-9);
   CHECK(supports(state)[2] == places[2]);
   CHECK(supports(state)[3] == places[3]);  // it stays, now outside
-  CHECK(placement(state).left_out == std::vector<LeftOut>{{LeftOut::Kind::support, 3, {}}});
+  CHECK(placement(state).left_out == std::vector<Misplaced>{{Misplaced::Kind::support, 3, {}}});
   CHECK(robots(state).size() == 3);
   CHECK(left_out_in_words(placement(state)) ==
-        std::vector<std::string>{"Robot 4 is outside the object: it bears nothing."});
+        std::vector<std::string>{"Robot 4 is outside the object: it carries nothing."});
   give(state, MoveVertex{2, Vec2(400, 300)});
   for (std::size_t i = 0; i < places.size(); ++i)
     CHECK(length(supports(state)[i] - places[i]) < 1e-9);
@@ -306,9 +306,9 @@ TEST_CASE("a dragged vertex takes along the robots on its edges, and leaves out 
     REQUIRE(state.work.document().holes.size() == 1);
     REQUIRE_FALSE(state.derived().refusal);
     CHECK(supports(state) == places);
-    CHECK(placement(state).left_out == std::vector<LeftOut>{{LeftOut::Kind::support, 3, 0u}});
+    CHECK(placement(state).left_out == std::vector<Misplaced>{{Misplaced::Kind::support, 3, 0u}});
     CHECK(left_out_in_words(placement(state)) ==
-          std::vector<std::string>{"Robot 4 is in hole 1: it bears nothing."});
+          std::vector<std::string>{"Robot 4 is in hole 1: it carries nothing."});
   }
   SECTION("and a removed vertex") {
     give(state, RemoveVertex{2});
@@ -353,7 +353,7 @@ TEST_CASE("an edit of the outline is not refused for a hole: it is left out unti
   REQUIRE(before.object.holes().size() == 2);
   give(state, MoveVertex{3, Vec2(100, 300)});
   REQUIRE_FALSE(state.derived().refusal);
-  CHECK(placement(state).left_out == std::vector<LeftOut>{{LeftOut::Kind::hole, 0, {}}});
+  CHECK(placement(state).left_out == std::vector<Misplaced>{{Misplaced::Kind::hole, 0, {}}});
   CHECK(placement(state).object.holes().size() == 1);
   CHECK(left_out_in_words(placement(state)) ==
         std::vector<std::string>{"Hole 1 does not fit the object, and is left out."});

@@ -112,6 +112,10 @@ TEST_CASE("with no team the reason is given, and what helps", "[words]") {
   Placement placement = nothing_placed();
   placement.requested_teams = 3;
   CHECK(verdict(placement) ==
+        "No team can be placed. The centre of mass is outside the object, beyond all places for "
+        "robots.");
+  placement.centre_of_mass = placement.polygon().centroid();
+  CHECK(verdict(placement) ==
         "No team can be placed. No chord through the centre of mass meets the minimum load ratio. "
         "Lower the minimum, or move the centre of mass.");
   placement.settings.method = Method::distributed;

@@ -295,7 +295,7 @@ TEST_CASE("a hole that does not fit is marked, and a refused outline shows all o
   page.frame();
   CHECK_FALSE(state.derived().refusal);
   CHECK(state.derived().placement->left_out ==
-        std::vector<LeftOut>{{LeftOut::Kind::hole, 0, {}}});
+        std::vector<Misplaced>{{Misplaced::Kind::hole, 0, {}}});
   CHECK(amber_at(on_moved));
   CHECK_FALSE(amber_at(on_left));
   std::swap(state.work.edit().vertices[0], state.work.edit().vertices[1]);  // edges cross

@@ -301,7 +301,7 @@ const std::vector<Action> table = {
     {ActionId::remove_robot, Group::teams, Icon::none, "Remove the robot whose card is open", "Delete", {{"Delete"}, {"Backspace"}}, when::on_own_robot,
      [](const AppState& s, Commands& out) { out.push_back(RemoveRobot{s.derived().placement->support_of(*s.derived().explanation->robot)}); }},
     {ActionId::even_out, Group::teams, Icon::none, "Even out the robots placed by hand", "Shift+Q", {{"Q"}}, when::can_even_out, ask<EvenOut>},
-    {ActionId::weigh, Group::teams, Icon::none, "Weigh it …", "Shift+I", {{"I"}}, when::can_weigh, show<Dialog::weigh>},
+    {ActionId::weigh, Group::teams, Icon::none, "Weigh it: type the readings of scales, load cells or robots", "Shift+I", {{"I"}}, when::can_weigh, show<Dialog::weigh>},
     {ActionId::take_over, Group::teams, Icon::none, "Keep the weight and C that were weighed, without the readings", "", {}, when::is_weighed, ask<TakeOver>},
     {ActionId::more_teams, Group::teams, Icon::plus, "One more team or robot", "T", {{"t"}}, when::has_teams_number, change_number<1>},
     {ActionId::fewer_teams, Group::teams, Icon::minus, "One fewer team or balanced robot", "Shift+T", {{"T"}}, when::has_teams_number, change_number<-1>},

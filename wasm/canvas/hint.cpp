@@ -223,7 +223,7 @@ std::string hint_of_pick(const AppState& state, const Pick& at) {
     case Pick::Kind::robot:
       return hint_of_robot(state, at);
     case Pick::Kind::left_out:
-      return say("Robot {robot} is left out: it bears nothing · drag it onto the object",
+      return say("Robot {robot} is left out: it carries nothing · drag it onto the object",
                  {at.index + 1});
     case Pick::Kind::chord:
       return hint_of_team(current_placement(state, at.second), at.index, shown(state).units);

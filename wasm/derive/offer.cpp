@@ -1,11 +1,13 @@
 #include "derive/derive.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "evenlift/output/carrying_words.h"
 #include "evenlift/output/verdict.h"
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
@@ -17,10 +19,11 @@ namespace {
 
 // Another document for the same object, tried in the order below.
 struct Alternative {
-  const char* verb;  // the button's first words, in English
+  const char* verb;  // the button's first words, in English; may name {robots}
   bool says_held;    // the verb promises a hold
   bool (*suits)(const Placement&);
   Document (*document)(const Derived&);
+  bool if_bad = false;  // tried only if it falls, tips, or overloads a robot
 };
 
 bool chooses(const Placement& of) { return selects_candidates(of.settings.method); }
@@ -32,6 +35,17 @@ Document with(const Derived& facts, Value Settings::*setting, Value value) {
   document.settings.*setting = value;
   return document;
 }
+
+template <std::uint32_t more>
+Document with_more(const Derived& facts) {
+  const Settings& now = facts.placed.settings;
+  return now.method == Method::balanced
+             ? with(facts, &Settings::robots, std::min(now.robots + 2 * more, most_robots))
+             : with(facts, &Settings::teams,
+                    std::optional(std::uint32_t{placed_teams(facts.placement)} + more));
+}
+
+bool has_number(const Placement& of) { return of.settings.method != Method::given; }
 
 // clang-format off
 const Alternative alternatives[] = {
@@ -47,6 +61,11 @@ const Alternative alternatives[] = {
     {"Use balanced", false,
      [](const Placement& of) { return of.settings.method != Method::balanced && count_robots(of.teams) >= least_robots; },
      [](const Derived& facts) { return by_other_method(facts, Method::balanced); }},
+    {"Use goal Cover", false,
+     [](const Placement& of) { return has_number(of) && goal_of(of.settings) == Goal::hold; },
+     [](const Derived& facts) { return with(facts, &Settings::goal, std::optional(Goal::cover)); }, true},
+    {"Use {robots}", false, has_number, with_more<1>, true},
+    {"Use {robots}", false, has_number, with_more<2>, true},
 };
 // clang-format on
 
@@ -66,7 +85,8 @@ struct Differences {
   bool gains = false;
 };
 
-Differences differences(const Placement& before, const Placement& after, bool says_held) {
+Differences differences(const Reported& was, const Reported& is, bool says_held) {
+  const Placement &before = was.placement, &after = is.placement;
   Differences all;
   const auto add = [&](const std::string& change, bool gains) {
     all.text += (all.text.empty() ? ": " : ", ") + change;
@@ -75,6 +95,10 @@ Differences differences(const Placement& before, const Placement& after, bool sa
   if (is_short(before) && after.teams.size() > before.teams.size())
     add(say("room for {teams}", {count_of(after.teams.size(), "team", "teams")}), true);
   if (!before.loads && after.loads) add(say("it stands"), true);
+  if (was.report.tips && !is.report.tips && after.loads) add(say("it stays"), true);
+  if (!was.report.tips && is.report.tips) add(say("it can tip"), false);
+  if (!was.report.overloaded.empty() && is.report.overloaded.empty() && after.loads)
+    add(say("none is overloaded"), true);
   if (!says_held && !is_held(before) && is_held(after)) add(say("holds"), true);
   if (is_held(before) && !is_held(after)) add(say("not held"), false);
   constexpr double worth_telling = 0.01;
@@ -94,28 +118,59 @@ std::optional<Offer> lower_ratio(const Derived& facts) {
   return offer;
 }
 
+// The fewer, the better; a bad verdict counts for more than all others.
+constexpr std::size_t bad = 1000;
+std::size_t faults(const Judgement& judgement) {
+  return judgement.reasons.size() + (judgement.kind == VerdictKind::bad ? bad : 0);
+}
+
+// A gentler slope, on which the object does not tip.
+std::optional<Offer> gentler_slope(const Derived& facts, const Reported& now) {
+  if (!now.report.tips || !now.report.tilt || !(now.shown.carrying.slope > 0)) return std::nullopt;
+  const Tilt& tilt = *now.report.tilt;
+  const double least = std::min(tilt.slope, tilt.slope_left.value_or(tilt.slope));
+  Shown gentler = now.shown;
+  for (double percent = std::floor(100 * least); percent >= 1;
+       percent = std::floor(percent * 0.9)) {
+    gentler.carrying.slope = percent / 100;
+    if (evenlift::report_of(ShownPlacement(now.placement, gentler)).tips) continue;
+    return Offer{facts.placed.settings,
+                 say("Slope {slope} at most: it stays", {slope_in_words(gentler.carrying.slope)}),
+                 gentler};
+  }
+  return std::nullopt;
+}
+
 std::optional<Offer> best_alternative(const Derived& facts, const Shown& shown) {
   const Placement& now = *facts.placement;
-  const Judgement judgement = judge({now, shown});
+  const Reported before(now, shown);
+  const Judgement judgement = judge(before);
   if (judgement.kind == VerdictKind::good) return std::nullopt;
   std::optional<Offer> found;
-  std::size_t fewest = judgement.reasons.size();
+  std::size_t fewest = faults(judgement);
   for (const Alternative& alternative : alternatives) {
     if (!alternative.suits(now)) continue;
+    if (alternative.if_bad && fewest < bad) continue;
     Document document = alternative.document(facts);
     document.shown = shown;
     const Document tried = settled(facts, document);
     const Result<Placement> other = try_placement(tried, now);
     if (!other || other->teams.empty()) continue;
-    const Differences told = differences(now, *other, alternative.says_held);
-    const Judgement judged = judge({*other, tried.shown});
+    const Reported after(*other, tried.shown);
+    const Differences told = differences(before, after, alternative.says_held);
+    const Judgement judged = judge(after);
     const bool holds = !alternative.says_held || is_held(*other);
-    if ((!told.gains && !alternative.says_held) || !holds || judged.reasons.size() >= fewest)
-      continue;
-    fewest = judged.reasons.size();
-    found = Offer{document.settings, say(alternative.verb) + told.text};
+    if ((!told.gains && !alternative.says_held) || !holds || faults(judged) >= fewest) continue;
+    fewest = faults(judged);
+    const std::string robots = count_of(count_robots(other->teams), "robot", "robots");
+    const bool named =
+        std::string_view(alternative.verb).find("{robots}") != std::string_view::npos;
+    found = Offer{document.settings,
+                  (named ? say("Use {robots}", {robots}) : say(alternative.verb)) + told.text};
     if (judged.kind == VerdictKind::good) break;
   }
+  if (fewest >= bad)
+    if (auto gentler = gentler_slope(facts, before)) return gentler;
   return found;
 }
 

@@ -194,6 +194,8 @@ void take_away_dragged_out(AppState& state) {
   if (*support >= supports.size()) return;
   supports.erase(supports.begin() + static_cast<std::ptrdiff_t>(*support));
   remove_capacity(document.shown.support_capacities, *support);
+  show(state, {Notice::Kind::info, say("Robot {robot} is taken away.", {*support + 1}),
+               say("Bring it back")});
 }
 
 void place_yourself(AppState& state, std::size_t robots) {

@@ -105,6 +105,24 @@ std::optional<InputError> check_robot(const Placement& placement, std::uint64_t 
   return error;
 }
 
+bool is_in_reach(const Placement& placement) {
+  return check_centre_of_mass(placement.polygon(), placement.centre_of_mass).ok();
+}
+
+// What is typed, or set by a script, must fit; what did not fit before may stay.
+std::optional<InputError> new_misfit(const Document& edited, const Placement& after,
+                                     const std::optional<Placement>& before) {
+  const auto was_left_out = [&](const Misplaced& each) {
+    return before && std::find(before->left_out.begin(), before->left_out.end(), each) !=
+                         before->left_out.end();
+  };
+  const bool fits = std::all_of(after.left_out.begin(), after.left_out.end(), was_left_out) &&
+                    (is_in_reach(after) || (before && !is_in_reach(*before)));
+  if (fits) return std::nullopt;
+  const Result<Placement> placed = place(edited, Effort::start);
+  return placed ? std::nullopt : std::optional(placed.error());
+}
+
 }  // namespace
 
 std::optional<Document> without_stale_readings(const AppState& state, const Document& edited) {
@@ -126,6 +144,7 @@ std::optional<InputError> try_edit(AppState& state, const Document& wanted, std:
   }
   Result<Placement> placement = compute_placement(edited, state.derived().placement);
   if (!placement) return placement.error();
+  if (auto problem = new_misfit(edited, *placement, state.derived().placement)) return problem;
   if (auto problem = check_robot(*placement, failed)) return problem;
   std::optional<Trace> trace;
   // An open step follows the edit; any other must exist.

@@ -23,7 +23,7 @@ bool stands_freely(const Placement& placement);
 
 // Moves a support (Placement::support_of()) to the place from support_spot() (tools/drawing.h).
 // Robots of another method are taken over first, and a notice offers the way back. A robot that is
-// dragged out of the object bears nothing (Misfitting in placement.h), and is taken away if it is
+// dragged out of the object carries nothing (Misfitting in placement.h), and is taken away if it is
 // let go there; the only robot, and one in a challenge that is not a task or with readings, stays
 // where it last could stand. A support that was outside already may be dragged anywhere. O(m + n),
 // plus a placement.

@@ -91,8 +91,8 @@ void draw_left_out(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
   const Theme& theme = view.theme;
   constexpr float radius = 12;
-  for (const LeftOut& each : view.placement->left_out) {
-    if (each.kind == LeftOut::Kind::hole) {
+  for (const Misplaced& each : view.placement->left_out) {
+    if (each.kind == Misplaced::Kind::hole) {
       painter.outline(state.work.document().holes[each.index], theme.amber, 2, true);
       continue;
     }

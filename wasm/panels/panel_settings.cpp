@@ -124,11 +124,21 @@ void draw_weighing(const Ui& ui) {
   }
 }
 
+constexpr float weigh_width = 92;
+
+void draw_weigh_button(const Ui& ui, float width) {
+  if (flat_button(ui, "weigh", "Weigh it …", width))
+    action(ActionId::weigh).run(ui.state, ui.commands);
+  if (ImGui::IsItemHovered())
+    tip(ui, "Type what scales, load cells or the robots read: this tells the weight and C");
+}
+
 void draw_centre(const Ui& ui) {
   const float width = labelled(
       ui, "Centre of mass", "Drag it in the drawing, or type x and y; the default is the centroid");
   const bool own = ui.state.work.document().centre_of_mass.has_value();
-  const float reset = own ? ui.control() : 0;
+  const bool can_weigh = !own && !weighed(ui) && action(ActionId::weigh).enabled(ui.state);
+  const float reset = own ? ui.control() : can_weigh ? weigh_width + 8 : 0;
   const std::string value =
       own || weighed(ui) ? point_in_words(centre_of_mass(ui.state),
                                           coordinate_decimals(ui.state.work.document().vertices))
@@ -137,6 +147,10 @@ void draw_centre(const Ui& ui) {
   const std::string exact =
       own || weighed(ui) ? shortest(centre.x) + ", " + shortest(centre.y) : "";
   text_field(ui, "com", "Centre of mass, x and y", "com", value, width - reset, exact);
+  if (can_weigh) {
+    ImGui::SameLine(0, 8);
+    draw_weigh_button(ui, weigh_width);
+  }
   if (!own) return draw_weighing(ui);
   ImGui::SameLine(0, 0);
   if (icon_button(ui, "centroid", Icon::close, true, "Back to the centroid", ui.control()))
@@ -196,12 +210,10 @@ void draw_supports_stepper(const Ui& ui) {
   ImGui::SameLine(0, 8);
   if (flat_button(ui, "even out", "Even out", button)) ui.push(EvenOut{});
   if (ImGui::IsItemHovered()) tip(ui, "Move two or three robots so that all carry the same load");
-  if (!ui.state.view.task) {
-    if (flat_button(ui, "weigh", "Weigh it …", ImGui::GetContentRegionAvail().x))
-      action(ActionId::weigh).run(ui.state, ui.commands);
-    if (ImGui::IsItemHovered()) tip(ui, "Type what the robots read: this tells the weight and C");
-  }
-  draw_score(ui);
+  // A closed sheet has no room for the score, and the field of C is on the open one.
+  const bool closed = !ui.layout.wide && ui.state.view.sheet == Sheet::closed;
+  if (closed && !ui.state.view.task) draw_weigh_button(ui, ImGui::GetContentRegionAvail().x);
+  if (!closed) draw_score(ui);
 }
 
 }  // namespace

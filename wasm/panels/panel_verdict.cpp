@@ -65,7 +65,8 @@ void draw_offer(const Ui& ui) {
   const ImVec2 below = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos(ImVec2(below.x, below.y - ui.control()));
   if (flat_button(ui, "offer", offer->label.c_str(), ImGui::GetContentRegionAvail().x))
-    ui.push(SetSettings{offer->settings});
+    ui.push(offer->shown ? Command(SetShown{*offer->shown})
+                         : Command(SetSettings{offer->settings}));
   ImGui::SetCursorScreenPos(below);
 }
 

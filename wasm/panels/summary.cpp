@@ -39,6 +39,7 @@ Verdict of_placement(const AppState& state) {
   const std::string loads = loads_in_words(now), news = worst_news_in_words(now),
                     if_uneven = if_uneven_in_words(now);
   std::string detail = news.empty() ? std::string() : loads + " ";
+  for (const std::string& left_out : left_out_in_words(placement)) detail += left_out + " ";
   if (!if_uneven.empty()) detail += if_uneven + " ";
   detail += detail_in_words(now);
   for (const std::string& misfit : misfits_in_words(now)) detail += " " + misfit;

@@ -124,6 +124,7 @@ struct Elsewhere {
 struct Offer {
   Settings settings;
   std::string label;
+  std::optional<Shown> shown = {};  // instead of the settings: other conditions
 };
 
 // The inputs of the last derive(). Results are out of date if the present inputs differ.

@@ -40,7 +40,7 @@ struct Pick {
     ground,
     uncertainty,  // the grip of the ring for the C uncertainty
     cargo,        // a weight on the object
-    left_out      // a support that does not fit (LeftOut in placement.h)
+    left_out      // a support that does not fit (Misplaced in placement.h)
   };
   Kind kind = Kind::none;
   std::size_t index = 0;  // of the vertex, edge, team, candidate, weight, support or frame's grip

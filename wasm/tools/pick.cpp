@@ -147,8 +147,8 @@ Pick left_out_at(const AppState& state, const Vec2& screen) {
   Nearest nearest{14};
   const Placement* placement = current_placement(state, false);
   if (!placement || walkthrough_is_open(state)) return nearest.pick;
-  for (const LeftOut& each : placement->left_out) {
-    if (each.kind != LeftOut::Kind::support) continue;
+  for (const Misplaced& each : placement->left_out) {
+    if (each.kind != Misplaced::Kind::support) continue;
     const Vec2& at = placement->settings.supports[each.index];
     nearest.offer(distance(state.view.camera.to_screen(at), screen),
                   {Pick::Kind::left_out, each.index, 0, at});

@@ -44,6 +44,7 @@ function field(entry, actions) {
     if (done) before = element.value;
     else if (previewed) actions.withdraw(entry.control); // a refused value is not shown
     element.setAttribute("aria-invalid", String(!done));
+    if (!done && confirmed) element.select(); // the next text replaces it
     return done;
   };
   entry.begin = begin;
@@ -63,6 +64,7 @@ function field(entry, actions) {
     }
   };
   element.addEventListener("focus", begin);
+  element.addEventListener("click", () => element.getAttribute("aria-invalid") === "true" && element.select());
   element.addEventListener("input", () => {
     if (entry.control.setting) return;
     previewed = true;

@@ -28,6 +28,8 @@ function createGroup(name) {
   return group;
 }
 
+const beginsDrawing = ["Draw", "Shape", "Hole"];
+
 // The program's actions on a control (wasm/page/main.cpp).
 const press = 0,
   choose = 1,
@@ -58,7 +60,10 @@ export function createMirror(program, field, notice) {
 
   const actions = {
     leave,
-    press: ({ card, name }) => program.call("page_ask_control", press, card, name, 0),
+    press({ card, name }) {
+      program.call("page_ask_control", press, card, name, 0);
+      if (beginsDrawing.includes(name)) leave(); // for the arrow keys
+    },
     choose: ({ card, name }, index) => program.call("page_ask_control", choose, card, name, index),
     move: ({ card, name }, value) => program.call("page_ask_control", move, card, name, value),
     reveal: ({ card, name }) => program.call("page_ask_control", reveal, card, name, 0),

@@ -21,6 +21,9 @@ const tooLong = (bytes) =>
 // The last text with several shapes.
 let several;
 
+// A text that was typed or pasted into the window and not opened yet: it is there again.
+let unopened = "";
+
 // The last text whose curves were flattened, so that another tolerance can be chosen while its polygon is open.
 let curved;
 
@@ -46,6 +49,7 @@ async function openText(page, text, what, { how = "page_load", name = "" } = {})
 
 // `more` are sentences for the notice.
 function done(page, what, more = "") {
+  unopened = "";
   closeWindows();
   const all = [say("{what} is opened.", { what }), more, translated("Undo brings back the previous polygon.")];
   page.notice(all.filter(Boolean).join(" "));
@@ -57,6 +61,7 @@ async function openShapes(page, source) {
   const { notes, shapes } = found;
   const said = [...unitInWords(found), ...notes.slice(0, 2)];
   if (shapes.length === 1 && !found.doubtful) return openShape(page, source, shapes[0], found, said);
+  unopened = source.what === "The text" && source.how === "page_load" ? source.text : "";
   closeWindows();
   await chooseShape(page, source, found);
 }
@@ -165,7 +170,7 @@ export async function show(page, { edited } = {}) {
     "aria-describedby": "open-problem",
     placeholder: "(0,0)\n(160,0)\n(160,90)\n(0,60)",
   });
-  text.value = edited ?? "";
+  text.value = edited ?? unopened;
   const refused = (why) => {
     problem.say(why);
     if (why) text.focus();

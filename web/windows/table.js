@@ -432,6 +432,11 @@ class Table {
         })
       : weighed || this.#told;
     this.weighed.doubt.textContent = missing ? "" : doubt;
+    if (!ofRobots) return;
+    // Beside the readings, what the model expects is another number.
+    const heading = this.head.querySelector("th:last-of-type");
+    heading.textContent = translated(weighed && !missing ? "Expected" : "Load");
+    heading.title = weighed && !missing ? translated("Of equally stiff robots on even ground") : "";
   }
 
   // --- Keys and edits ----------------------------------------------------------------------------

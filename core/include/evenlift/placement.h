@@ -21,17 +21,18 @@ namespace evenlift {
 
 // A support or a hole that does not fit the object: the support is outside it or in a hole, or the
 // hole is not strictly inside the outline and apart from the holes before it.
-struct LeftOut {
+struct Misplaced {
   enum class Kind : std::uint8_t { support, hole };
   Kind kind = Kind::support;
   std::uint32_t index = 0;                    // from 0, in the document
   std::optional<std::uint32_t> in_hole = {};  // of a support: the hole it is in, from 0
-  bool operator==(const LeftOut&) const = default;
+  bool operator==(const Misplaced&) const = default;
 };
 
 // What place() does with supports and holes that do not fit: the document is refused, or they are
-// left out. A support that is left out bears nothing and is no robot; its reading still counts
-// (weighing.h), since it was taken before.
+// left out. A support that is left out carries nothing and is no robot; its reading still counts
+// (weighing.h), since it was taken before. In the same way, a C that is not inside the outline's
+// hull is an error, or no robots are placed, and given ones let the object fall.
 enum class Misfitting : std::uint8_t { refused, left_out };
 
 struct Placement {
@@ -66,7 +67,7 @@ struct Placement {
   Closure closure;
   bool goal_reached = false;  // there are robots and, with the goal `hold`, hold_firmly() is true
   Moved moved = {};           // the robots that the user moved by hand (moved.h)
-  std::vector<LeftOut> left_out = {};        // in the document's order, holes first
+  std::vector<Misplaced> left_out = {};      // in the document's order, holes first
   std::vector<std::uint32_t> supports = {};  // of each robot, if any support is left out
   bool search_ended = true;  // false while a search or swaps may still find better robots
   bool cut_short = false;  // whether a limit of work ended the search (most_work in balanced.h) or

@@ -285,7 +285,16 @@ void take_hole(ImportedShape& shape, ImportedShape& hole) {
 void Gathering::add_filled(const DrawnShape& drawn, std::vector<Flattened> rings) {
   std::vector<const Points*> points;
   for (const Flattened& ring : rings) points.push_back(&ring.shape.document.vertices);
-  for (const OutlineWithHoles& filled : filled_shapes(points, drawn.fill)) {
+  std::vector<OutlineWithHoles> shapes = filled_shapes(points, drawn.fill);
+  // A ring inside another of its path that runs the same way round changes nothing in the picture:
+  // whoever drew it meant a hole.
+  if (drawn.fill == Fill::nonzero)
+    if (auto with_holes = filled_shapes(points, Fill::even_odd);
+        with_holes.size() < shapes.size()) {
+      same_way_ += shapes.size() - with_holes.size();
+      shapes = std::move(with_holes);
+    }
+  for (const OutlineWithHoles& filled : shapes) {
     Flattened& outline = rings[filled.outline];
     for (const std::size_t hole : filled.holes) take_hole(outline.shape, rings[hole].shape);
     import.shapes.push_back(std::move(outline.shape));
@@ -562,6 +571,13 @@ void Gathering::nest_outlines() {
                  ? "{count} rectangle around all else was read as the sheet, and comes last"
                  : "{count} rectangles around all else were read as sheets, and come last",
              {nesting.sheets}));
+  if (same_way_ > 0)
+    note(say(same_way_ == 1
+                 ? "{count} ring that runs the same way round as the ring around it in its "
+                   "path was read as a hole, although the file fills it"
+                 : "{count} rings that run the same way round as the rings around them in "
+                   "their paths were read as holes, although the file fills them",
+             {same_way_}));
   if (nesting.repeated > 0)
     note(say(nesting.repeated == 1 ? "{count} outline that repeats another was left out"
                                    : "{count} outlines that repeat another were left out",

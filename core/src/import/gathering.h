@@ -141,6 +141,7 @@ class Gathering final : public ShapeSink {
   std::vector<std::size_t> copies_;  // the block of each, from copy 1
   std::vector<Drawn> drawn_;         // by shape, if the shapes are outlines of a drawing
   std::size_t paths_ = 0;
+  std::size_t same_way_ = 0;  // rings of paths that were read as holes
   std::size_t outlines_ = 0;  // all shapes and, in a drawing, all holes
   std::size_t without_area_ = 0, problems_ = 0, spikes_ = 0;
   std::optional<InputError> first_problem_, full_;

@@ -104,7 +104,7 @@ std::optional<InputError> place_given(Placement& placement, Misfitting misfittin
       continue;
     }
     const auto hole = placement.object.hole_around(placement.settings.supports[i]);
-    placement.left_out.push_back({LeftOut::Kind::support, i, hole});
+    placement.left_out.push_back({Misplaced::Kind::support, i, hole});
   }
   if (robots.size() == places->size()) placement.supports.clear();
   if (robots.empty()) return std::nullopt;
@@ -315,7 +315,7 @@ namespace {
 
 // The object without the holes that do not fit, and these. Each try leaves out one hole.
 Result<PolygonWithHoles> object_that_fits(const Document& document,
-                                          std::vector<LeftOut>& left_out) {
+                                          std::vector<Misplaced>& left_out) {
   Document fitting = document;
   std::vector<std::uint32_t> numbers(document.holes.size());
   std::iota(numbers.begin(), numbers.end(), 0u);
@@ -324,20 +324,20 @@ Result<PolygonWithHoles> object_that_fits(const Document& document,
     const std::size_t ring = object ? 0 : object.error().place.ring;
     if (ring == 0 || ring > fitting.holes.size()) {
       std::sort(left_out.begin(), left_out.end(),
-                [](const LeftOut& a, const LeftOut& b) { return a.index < b.index; });
+                [](const Misplaced& a, const Misplaced& b) { return a.index < b.index; });
       return object;
     }
     const auto hole = static_cast<std::ptrdiff_t>(ring) - 1;
-    left_out.push_back({LeftOut::Kind::hole, numbers[ring - 1]});
+    left_out.push_back({Misplaced::Kind::hole, numbers[ring - 1]});
     fitting.holes.erase(fitting.holes.begin() + hole);
     numbers.erase(numbers.begin() + hole);
   }
 }
 
 // With the numbers that the holes have in the document.
-void number_holes(Placement& placement, const std::vector<LeftOut>& holes) {
-  for (LeftOut& support : placement.left_out)
-    for (const LeftOut& hole : holes)
+void number_holes(Placement& placement, const std::vector<Misplaced>& holes) {
+  for (Misplaced& support : placement.left_out)
+    for (const Misplaced& hole : holes)
       if (support.in_hole && hole.index <= *support.in_hole) ++*support.in_hole;
   placement.left_out.insert(placement.left_out.begin(), holes.begin(), holes.end());
 }
@@ -346,7 +346,7 @@ void number_holes(Placement& placement, const std::vector<LeftOut>& holes) {
 
 Result<Placement> place(const Document& document, Effort effort, Misfitting misfitting) {
   if (auto error = check_settings(document.settings, document.shown)) return *error;
-  std::vector<LeftOut> holes;
+  std::vector<Misplaced> holes;
   auto object =
       misfitting == Misfitting::refused ? object_of(document) : object_that_fits(document, holes);
   if (!object) return object.error();
@@ -363,6 +363,7 @@ struct Mass {
   Settings settings;
   std::optional<Weighing> weighing;
   CentreOfMass centre;
+  bool out_of_reach = false;  // C is outside the outline's hull
 };
 
 Result<Mass> mass_of(const PolygonWithHoles& object, const std::optional<Vec2>& own_centre,
@@ -391,9 +392,27 @@ Result<Mass> mass_of(const PolygonWithHoles& object, const std::optional<Vec2>& 
     mass.weighing = *std::move(weighing);
   }
   const auto centre = centre_of_mass(object, own, mass.settings);
-  if (!centre) return centre.error();
-  mass.centre = *centre;
+  const Vec2 alone = own.value_or(object.centroid()), all = with_cargo(alone, mass.settings);
+  mass.out_of_reach = !centre && misfitting == Misfitting::left_out && is_finite(all) &&
+                      centre.error().code == ErrorCode::centre_outside_hull;
+  if (!centre && !mass.out_of_reach) return centre.error();
+  mass.centre = centre ? *centre : CentreOfMass{alone, all};
   return mass;
+}
+
+}  // namespace
+
+namespace {
+
+// No robots can balance an object whose C is beyond all of its material.
+Placement nowhere(PolygonWithHoles object, const Mass& mass) {
+  Placement placement(std::move(object));
+  placement.own_centre = mass.centre.own;
+  placement.centre_of_mass = mass.centre.all;
+  placement.settings = mass.settings;
+  placement.requested_teams = requested_teams(placement);
+  describe_grasp(placement);
+  return placement;
 }
 
 }  // namespace
@@ -406,9 +425,12 @@ Result<Placement> place(PolygonWithHoles object, const std::optional<Vec2>& own_
   if (!mass) return mass.error();
   const Settings& settings = mass->settings;
   const CentreOfMass& centre = mass->centre;
+  if (mass->out_of_reach && settings.method != Method::given)
+    return nowhere(std::move(object), *mass);
   auto stands = make_stands(object, centre.all, settings);
   if (!stands) return with_hint(stands.error(), object, centre.all, settings);
-  auto candidates = candidates_of(object, centre.all, settings, stands->get());
+  auto candidates = mass->out_of_reach ? Result<std::vector<Candidate>>(std::vector<Candidate>())
+                                       : candidates_of(object, centre.all, settings, stands->get());
   if (!candidates) return candidates.error();
   if (swaps_teams(settings))
     if (auto error =

@@ -269,6 +269,9 @@ Result<Trace> make_trace(const Placement& placement, HistoryLength length, const
   }
   if (placement.settings.method == Method::given && placement.teams.empty())
     return bad_setting("supports", "no support stands beneath the object or at its edge");
+  if (const auto centre = check_centre_of_mass(placement.polygon(), placement.centre_of_mass);
+      !centre)
+    return centre.error();
   Trace trace{.placement = placement,
               .centre = placement.centre_of_mass,
               .units = units,

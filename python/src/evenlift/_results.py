@@ -27,7 +27,7 @@ class Placement(PlacementMembers):
     def svg(self, candidates: Optional[bool] = None) -> str:
         """The placement as a picture."""
         given: dict[str, Any] = json.loads(self._request)
-        asked = {name: value for name, value in given.items() if name not in ("failures", "even_out", "require")}
+        asked = {name: value for name, value in given.items() if name not in ("failures", "even_out", "cases", "require")}
         listed = bool(asked.get("candidates")) if candidates is None else candidates
         picture: str = ask({**asked, "command": "svg", "candidates": listed})["svg"]
         return picture

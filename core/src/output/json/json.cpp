@@ -341,9 +341,9 @@ namespace {
 
 std::string left_out_json(const Placement& placement) {
   std::vector<std::string> items;
-  for (const LeftOut& each : placement.left_out)
+  for (const Misplaced& each : placement.left_out)
     items.push_back(
-        json::object({{"kind", json::text(each.kind == LeftOut::Kind::hole ? "hole" : "support")},
+        json::object({{"kind", json::text(each.kind == Misplaced::Kind::hole ? "hole" : "support")},
                       {"index", std::to_string(each.index)},
                       {"in_hole", each.in_hole ? std::to_string(*each.in_hole) : "null"}}));
   return json::array(items);

@@ -68,24 +68,24 @@ std::vector<std::string> misfits_in_words(const Reported& of) {
 
 namespace {
 
-// "Robots 3 and 5 are outside the object: they bear nothing."
-std::string left_out_sentence(const Placement& placement, const LeftOut& first) {
+// "Robots 3 and 5 are outside the object: they carry nothing."
+std::string left_out_sentence(const Placement& placement, const Misplaced& first) {
   std::vector<std::size_t> numbers;
-  for (const LeftOut& each : placement.left_out)
+  for (const Misplaced& each : placement.left_out)
     if (each.kind == first.kind && each.in_hole == first.in_hole)
       numbers.push_back(each.index + std::size_t{1});
   const bool one = numbers.size() == 1;
   const std::string named = listed(numbers);
-  if (first.kind == LeftOut::Kind::hole)
+  if (first.kind == Misplaced::Kind::hole)
     return say(one ? "Hole {holes} does not fit the object, and is left out."
                    : "Holes {holes} do not fit the object, and are left out.",
                {named});
   if (!first.in_hole)
-    return say(one ? "Robot {robots} is outside the object: it bears nothing."
-                   : "Robots {robots} are outside the object: they bear nothing.",
+    return say(one ? "Robot {robots} is outside the object: it carries nothing."
+                   : "Robots {robots} are outside the object: they carry nothing.",
                {named});
-  return say(one ? "Robot {robots} is in hole {hole}: it bears nothing."
-                 : "Robots {robots} are in hole {hole}: they bear nothing.",
+  return say(one ? "Robot {robots} is in hole {hole}: it carries nothing."
+                 : "Robots {robots} are in hole {hole}: they carry nothing.",
              {named, *first.in_hole + 1});
 }
 
@@ -94,8 +94,8 @@ std::string left_out_sentence(const Placement& placement, const LeftOut& first) 
 std::vector<std::string> left_out_in_words(const Placement& placement) {
   std::vector<std::string> sentences;
   for (std::size_t i = 0; i < placement.left_out.size(); ++i) {
-    const LeftOut& each = placement.left_out[i];
-    const auto is_told = [&](const LeftOut& other) {
+    const Misplaced& each = placement.left_out[i];
+    const auto is_told = [&](const Misplaced& other) {
       return other.kind == each.kind && other.in_hole == each.in_hole;
     };
     if (std::none_of(placement.left_out.begin(),

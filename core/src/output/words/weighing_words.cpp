@@ -63,21 +63,21 @@ std::string misfit_of_readings(const Reported& of) {
                {load_in_words(std::fabs(by), units, Toward::nearest)});
   };
   std::string text =
-      say("The readings do not fit equally stiff supports on even ground. Either the ground is "
-          "uneven or the object bends: then W and C are right all the same.") +
+      say("W and C are right if each reading is. But equally stiff supports on even ground would "
+          "read otherwise: the ground is uneven, or the object bends.") +
       " ";
   if (fit.suspect) {
     text +=
-        say("Or a reading is wrong: if it is that of support {robot}, it reads {amount}, and W "
-            "and C are wrong with it.",
+        say("Or a reading is wrong, and W and C with it: if it is that of support {robot}, it "
+            "reads {amount}.",
             {*fit.suspect + 1, off(*fit.suspect)});
   } else {
     double most = 0;
     for (const double by : fit.too_little) most = std::max(most, std::fabs(by));
-    text += say("Or a reading is wrong, by up to {amount}, and W and C are wrong with it.",
+    text += say("Or a reading is wrong, by up to {amount}, and W and C with it.",
                 {load_in_words(most, units, Toward::nearest)});
   }
-  text += " " + say("Lift, set down and read again.");
+  text += " " + say("To be sure, lift, set down and read again.");
   const auto& give = of.shown.carrying.give;
   const Weighing& weighing = *of.placement.weighing;
   if (give && weighing.weight > 0) {

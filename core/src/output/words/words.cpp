@@ -184,6 +184,7 @@ std::string loads_in_words(const Reported& of) {
     return say("Still looking for places for {number} robots.", {placement.settings.robots});
   if (placement.teams.empty())
     return say(placement.settings.method == Method::balanced ? "No robots can be placed."
+               : placement.settings.method == Method::given  ? "No robot stands at the object."
                                                              : "No team can be placed.");
   if (!placement.loads) return fall_in_words(of);
   const Units& units = of.shown.units;
@@ -296,6 +297,9 @@ std::string why_short(const Placement& placement) {
   const bool by_ratio = selects_candidates(placement.settings.method);
   const std::size_t teams = placement.teams.size();
   if (teams == 0 && !placement.search_ended) return {};
+  if (placement.settings.method == Method::given) return {};
+  if (teams == 0 && !check_centre_of_mass(placement.polygon(), placement.centre_of_mass))
+    return say("The centre of mass is outside the object, beyond all places for robots.");
   if (teams == 0 && placement.settings.method == Method::balanced)
     return say(
         placement.stands
