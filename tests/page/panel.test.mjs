@@ -149,6 +149,41 @@ test("a unit of another kind is refused, and so is one where numbers have none",
   await page.done();
 });
 
+test("a number with two readings is settled by a button, and typing after a refusal replaces the text", async () => {
+  const page = await browser.open();
+  await type(page, "weight", "1,250");
+  const which = page.getByRole("group", { name: "Which number is meant?" });
+  assert.deepEqual(await which.getByRole("button").allTextContents(), ["1250", "1.25"]);
+  await which.getByRole("button").first().click();
+  await idle(page);
+  assert.equal((await state(page)).weight, 1250);
+  assert.equal(await which.count(), 0);
+  await type(page, "weight", "1,500 kg");
+  await page.keyboard.press("Tab"); // to the buttons
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  assert.equal((await state(page)).weight, 1.5);
+  await type(page, "weight", "1,000");
+  await page.keyboard.type("7");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  assert.equal((await state(page)).weight, 7);
+  await page.done();
+});
+
+test("by keys, a button that begins to draw leaves the focus on the drawing", async () => {
+  const page = await browser.open();
+  for (const name of ["Draw", "Hole"]) {
+    const button = page.locator("#mirror").getByRole("button", { name, exact: true });
+    await button.focus();
+    await page.keyboard.press("Enter");
+    await idle(page);
+    assert.equal(await page.evaluate(() => document.activeElement.id), "canvas");
+  }
+  await page.done();
+});
+
 test("a number that is left as it is shown keeps all its digits", async () => {
   const page = await browser.open();
   await page.evaluate(() => evenlift.set({ min_ratio: 0.123456789 }));

@@ -9,6 +9,7 @@
 #include "evenlift/supports.h"
 #include "kit/catch.h"
 #include "panels/summary.h"
+#include "state/method.h"
 #include "tools/drawing.h"
 #include "tools/pick.h"
 #include "tools/transform.h"
@@ -336,6 +337,42 @@ TEST_CASE("a dragged vertex takes along the robots on its edges, and leaves out 
     CHECK(placement(state).number_of(0) == 2);
     CHECK(supports(state).size() == 4);
   }
+}
+
+TEST_CASE("an edit of the outline is not refused for C, but a C that is typed outside is",
+          "[view][supports]") {
+  AppState state;
+  Document plate = document("(0,0)\n(400,0)\n(400,300)\n(0,300)\n");
+  plate.centre_of_mass = Vec2(230, 170);
+  begin(state, placed(plate));
+  frame_view(state);
+  const std::size_t before = robots(state).size();
+  REQUIRE(before > 0);
+  give(state, MoveVertex{2, Vec2(150, 120)});
+  REQUIRE_FALSE(state.derived().refusal);
+  CHECK(robots(state).empty());
+  CHECK(placement(state).centre_of_mass == Vec2(230, 170));
+  CHECK(judge({placement(state), shown(state)}).kind == VerdictKind::bad);
+  for (const Method method : all_methods) {
+    give(state, SetMethod{method});
+    REQUIRE_FALSE(state.derived().refusal);
+    CHECK(robots(state).empty());
+  }
+  give(state, SetMethod{Method::area});
+  // What was outside before may stay during other edits.
+  Document heavier = state.work.document();
+  heavier.settings.weight = 50;
+  CHECK_FALSE(edit_by_script(state, heavier));
+  give(state, MoveVertex{2, Vec2(400, 300)});
+  CHECK(robots(state).size() == before);
+  Document typed = state.work.document();
+  typed.centre_of_mass = Vec2(500, 200);
+  CHECK(edit_by_script(state, typed)->code == ErrorCode::centre_outside_hull);
+  typed = state.work.document();
+  typed.settings = with_method(typed.settings, Method::given, 1);
+  typed.settings.supports = {{0, 0}, {400, 0}, {900, 0}};
+  CHECK(edit_by_script(state, typed)->place.option == "supports[2]");
+  CHECK(robots(state).size() == before);
 }
 
 TEST_CASE("an edit of the outline is not refused for a hole: it is left out until it fits",

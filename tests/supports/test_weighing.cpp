@@ -513,10 +513,9 @@ TEST_CASE("what was weighed is said", "[weighing][words]") {
   };
   CHECK(
       said() ==
-      "Weighed: 100 kg, C at (0.500, 0.700). W and C are right if each reading is. But equally "
-      "stiff supports on even ground would read otherwise: the ground is uneven, or the object "
-      "bends. Or a reading is wrong, by up to 20.0 kg, and W and C with it. To be sure, lift, set "
-      "down and read again.");
+      "Weighed: 100 kg, C at (0.500, 0.700). W and C are right if each reading is. Equally "
+      "stiff supports on even ground would read otherwise: the ground is uneven, the object bends, "
+      "or a reading is wrong by up to 20.0 kg. To be sure, lift, set down and read again.");
   // A support that reads nothing does not share the weight.
   document.settings.supports.push_back({0.5, 0.5});
   document.settings.weighed.readings.push_back(0);

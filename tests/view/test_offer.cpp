@@ -129,3 +129,39 @@ TEST_CASE("where no chord is even enough, a lower ratio is offered", "[view][off
   give(state, SetSettings{state.derived().offer->settings});
   CHECK_FALSE(state.derived().placement->teams.empty());
 }
+
+TEST_CASE("what tips or is overloaded under conditions has an offer, whose price is told",
+          "[view][offer]") {
+  AppState state = state_of("puzzle-piece", Method::area, 1);
+  Shown slope = shown(state);
+  slope.carrying.com_height = 700;
+  slope.carrying.slope = 0.3;
+  give(state, SetShown{slope});
+  REQUIRE(judged(state).kind == VerdictKind::bad);
+  REQUIRE(state.derived().offer);
+  CHECK(state.derived().offer->label.find("it stays") != std::string::npos);
+  give(state, SetSettings{state.derived().offer->settings});
+  CHECK(judged(state).kind != VerdictKind::bad);
+
+  // Where no robots help, a gentler slope does.
+  slope.carrying.slope = 0.9;
+  give(state, SetShown{slope});
+  REQUIRE(state.derived().offer);
+  REQUIRE(state.derived().offer->shown);
+  CHECK(state.derived().offer->label.starts_with("Slope "));
+  const double gentler = state.derived().offer->shown->carrying.slope;
+  CHECK(gentler < 0.9);
+  CHECK(gentler > 0.3);
+  const Settings before = settings(state);
+  give(state, SetShown{*state.derived().offer->shown});
+  CHECK(judged(state).kind != VerdictKind::bad);
+  CHECK(settings(state) == before);
+
+  state = state_of("puzzle-piece", Method::area, 3);
+  Shown capacity = shown(state);
+  capacity.capacity = 15;
+  give(state, SetShown{capacity});
+  REQUIRE(judged(state).kind == VerdictKind::bad);
+  REQUIRE(state.derived().offer);
+  CHECK(state.derived().offer->label.find("none is overloaded") != std::string::npos);
+}

@@ -284,6 +284,24 @@ test("of several shapes one is chosen, by the keys or a click", async () => {
   assert.equal((await polygon()).length, 20);
 });
 
+test("a typed text of several shapes is still there if none is chosen", async () => {
+  const text = `<svg viewBox="0 0 9 9"><path d="M0 0h2v2h-2z"/><path d="M4 4h3v3h-3z"/></svg>`;
+  const typed = await openWindow(page, "open");
+  await typed.locator("textarea").fill(text);
+  await typed.getByRole("button", { name: "Open" }).click();
+  await shapes(page).first().waitFor();
+  await page.keyboard.press("Escape");
+  await allClosed(page);
+  const again = await openWindow(page, "open");
+  assert.equal(await again.locator("textarea").inputValue(), text);
+  await again.getByRole("button", { name: "Open" }).click();
+  await shapes(page).first().click();
+  await allClosed(page);
+  assert.equal(await (await openWindow(page, "open")).locator("textarea").inputValue(), "");
+  await page.keyboard.press("Escape");
+  await allClosed(page);
+});
+
 test("all shapes of a file are a table with robots of their own, which sorts, opens and is saved", async () => {
   const drawing = await readFile(path.join(root, "examples/sheet/sheet.dxf"), "utf8");
   await drop(page, { files: [["sheet.dxf", drawing]] });

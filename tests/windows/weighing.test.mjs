@@ -55,7 +55,7 @@ for (const [name, options] of [
     const page = await weighing(options);
     assert.equal(await page.locator("#table .weighed").isVisible(), false);
     await read(page, readings.slice(0, 3));
-    assert.match(await said(page), /: 1 still missing/);
+    assert.match(await said(page), /: 1 still missing\./);
     assert.equal((await state(page)).weighing, undefined); // nothing changes until all are known
     await read(page, readings);
     assert.match(await said(page), /Weighed: 480 kg, C at \(671\.0, 220\.8\)/);
@@ -254,4 +254,27 @@ test("the handout of robots with conditions has all cases", async () => {
   assert.equal(await page.locator("#handout .cases tbody tr").count(), 6);
   assert.equal(await page.locator("#handout .cases tr.worst").count(), 1);
   await page.done();
+});
+
+test("with more robots than scales, one press takes away the others", async () => {
+  const page = await browser.open();
+  await page.keyboard.press("Shift+I");
+  await page.locator("#table").waitFor();
+  for (const [key, value] of ["12", "18", "31", "25"].entries()) {
+    assert.equal(
+      await page.evaluate(() => document.activeElement.getAttribute("aria-label")),
+      `Robot ${key + 1}, reads`,
+    );
+    await page.keyboard.type(value);
+    await page.keyboard.press("Enter");
+  }
+  assert.match(await said(page), /: 2 still missing\./);
+  await page.keyboard.press("Tab");
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), "Without the other 2 robots");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  assert.match(await said(page), /Weighed: 86\.0 kg/);
+  assert.equal((await state(page)).robots.length, 4);
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), "Take over");
+  assert.equal(await page.locator("#table thead th").nth(4).textContent(), "Expected");
 });

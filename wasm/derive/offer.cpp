@@ -58,7 +58,7 @@ const Alternative alternatives[] = {
     {"Use area", false,
      [](const Placement& of) { return of.settings.method != Method::area && count_robots(of.teams) % 2 == 0; },
      [](const Derived& facts) { return by_other_method(facts, Method::area); }},
-    {"Use balanced", false,
+    {"Equal loads", false,
      [](const Placement& of) { return of.settings.method != Method::balanced && count_robots(of.teams) >= least_robots; },
      [](const Derived& facts) { return by_other_method(facts, Method::balanced); }},
     {"Use goal Cover", false,

@@ -136,12 +136,21 @@ void draw_radius(const Ui& ui) {
   if (moved.released) ui.push(EndEdit{});
 }
 
+// "3,5:0.25-0.75", or, where the comma is the decimal mark, "3; 5:0,25-0,75".
+std::string edges_as_read(const std::vector<EdgePart>& no_go) {
+  const std::string text = no_go_text(no_go), mark = as_read(".");
+  std::string read;
+  for (const char c : text)
+    read += c == '.' ? mark : c == ',' && mark == "," ? "; " : std::string(1, c);
+  return read;
+}
+
 // No-go edges, typed or painted.
 void draw_marks_row(const Ui& ui) {
   const float width = labelled(
       ui, "No-go edges",
       "Edges, or parts of them, that robots must not touch, such as 3,5:0.25-0.75; or none");
-  text_field(ui, "no go", "No-go edges", "no_go", no_go_text(settings(ui.state).no_go), width);
+  text_field(ui, "no go", "No-go edges", "no_go", edges_as_read(settings(ui.state).no_go), width);
   const bool marks = ui.state.view.tool == Tool::mark;
   if (flat_button(ui, "mark edges", marks ? "Finish marking" : "Mark no-go parts",
                   ImGui::GetContentRegionAvail().x))

@@ -3,7 +3,8 @@
 import { createElement, showControl } from "./elements.js";
 import { withKeys } from "./controls.js";
 import { say, translated } from "../words/words.js";
-import { settingValue, typedProblem, unitOf } from "./typed.js";
+import { askWhich, forget, isAsked } from "./doubt.js";
+import { settingValue, typedDoubt, typedProblem, unitOf } from "./typed.js";
 
 // The panels' cards (begin_card() in wasm/panels) in reading order, with names for screen readers.
 const cards = new Map([
@@ -73,9 +74,20 @@ export function createMirror(program, field, notice) {
     type(control, typed, confirmed) {
       const { setting, card, name, is_length } = control,
         unit = unitOfField(control);
+      const { element } = shown.get(control.key) ?? {};
+      if (isAsked(element, typed)) return false;
       const wrong = typedProblem(typed, setting, unit, is_length);
+      forget();
       if (wrong) {
         notice(`${wrong}.`, true);
+        const doubt = typedDoubt(typed, setting);
+        if (doubt)
+          askWhich(element, doubt, (reading) => {
+            element.value = reading;
+            actions.type(control, reading, confirmed);
+            element.blur(); // types it again, which changes nothing
+            leave();
+          });
         return false;
       }
       const value = settingValue(typed, setting, unit);

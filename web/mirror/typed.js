@@ -1,5 +1,5 @@
 // Numbers as users type them, and as the program reads them (core/include/evenlift/settings.h).
-import { readings, typedForm, withPoint } from "../words/numbers.js";
+import { readings, typedForm, usesComma, withPoint } from "../words/numbers.js";
 import { say, translated } from "../words/words.js";
 
 // The value to type over: "437 kg" becomes "437", and "(12.4, −3)" "12.4, -3".
@@ -52,13 +52,22 @@ const tidied = (typed) => typed.replaceAll("−", "-").replaceAll("\u00A0", " ")
 
 const strange = new RegExp(`^${typedForm}\\s*([A-Za-zµ"'′″]+)$`);
 
+// The two readings of a typed number, each with its unit; undefined if there is only one.
+export function typedDoubt(typed, setting) {
+  if (["com", "no_go", "readings", "readings_tilted", ...ratios].includes(setting)) return undefined;
+  const [, bare, of = ""] = one.exec(tidied(typed)) ?? [],
+    doubt = bare && readings(bare);
+  if (!doubt) return undefined;
+  const withUnit = (number) => (of ? `${number} ${of}` : number);
+  return { whole: withUnit(doubt.whole), decimal: withUnit(doubt.decimal) };
+}
+
 // Why a number cannot be set: the unit after it, or a mark that may part thousands or decimals. A sentence without its full
 // stop; "" for neither. `setting` and `own` are as below; `isLength` marks a length, even without a unit.
 export function typedProblem(typed, setting, own, isLength) {
   const text = tidied(typed);
   if (["no_go", "readings", "readings_tilted", ...ratios].includes(setting)) return "";
-  const [, bare] = one.exec(text) ?? [],
-    doubt = setting !== "com" && bare && readings(bare);
+  const doubt = typedDoubt(typed, setting);
   if (doubt) return say("“{text}” may mean {whole} or {decimal}: type one of these", { text, ...doubt });
   const unknown = one.test(text) ? undefined : strange.exec(text)?.[1];
   if (unknown)
@@ -84,7 +93,7 @@ export function typedProblem(typed, setting, own, isLength) {
 const percents = ["slope", "weight_doubt", "level_error", "tilted"];
 const ratios = [...percents, "acceleration", "reading_error", "heading"];
 
-const known = ["all", "centroid", "no limit", "none"];
+const known = ["all", "centroid", "no limit", "none", "not known"];
 const inEnglish = (text) =>
   known.find((word) => translated(word) !== word && translated(word).toLowerCase() === text.toLowerCase()) ?? text;
 
@@ -107,6 +116,7 @@ export function settingValue(typed, setting = "", own = "") {
   }
   if (setting === "teams" && text.toLowerCase() === "all") return "max"; // as on the button
   if (setting === "capacity" && text.toLowerCase() === "no limit") return "none";
+  if (text.toLowerCase() === "not known") return "none";
   // A number without a unit has the one that is shown.
   if (setting.startsWith("readings")) return text.replaceAll(";", " ");
   if (setting === "heading") return twoWithComma.test(text) ? text.replaceAll(" ", "") : withPoint(text);
@@ -115,7 +125,8 @@ export function settingValue(typed, setting = "", own = "") {
   if (single) return single[2] ? (converted(single[1], single[2], own) ?? text) : withPoint(single[1]);
   const pair = two.exec(text);
   if (pair) return `${withPoint(pair[1])},${withPoint(pair[2])}`;
-  const plain = twoWithComma.exec(text);
+  // Where the comma is the decimal mark, "403,8" is one number.
+  const plain = (!usesComma() || text.includes(".")) && twoWithComma.exec(text);
   if (plain) return `${plain[1]},${plain[2]}`;
   const pairWithUnits = twoWithUnits.exec(text);
   if (!pairWithUnits) return text.toLowerCase();

@@ -292,12 +292,28 @@ class Table {
         if (matchMedia("(pointer: fine)").matches) this.#focus(0, 2); // the button is gone
       },
     });
+    // More robots stood there than scales.
+    const others = button("", {
+      onclick: () => {
+        const all = this.#reads();
+        all.forEach((_, i) => {
+          const robot = all.length - 1 - i;
+          if (all[robot] !== "") return;
+          this.#program.call("page_remove_robot", robot);
+          this.#forget(robot);
+        });
+        this.#refresh();
+        if (takeOver.hidden) return;
+        takeOver.focus(); // the button is gone
+      },
+    });
     const doubt = el("p", { class: "doubt", role: "status" });
     return {
-      row: el("div", { class: "weighed" }, el("div", { class: "row" }, said, takeOver), doubt),
+      row: el("div", { class: "weighed" }, el("div", { class: "row" }, said, takeOver, others), doubt),
       said,
       doubt,
       takeOver,
+      others,
     };
   }
 
@@ -423,13 +439,16 @@ class Table {
     const ofRobots = this.#list === lists.robots;
     const [weighed, doubt] = ofRobots ? this.#program.json("page_weighed") : ["", ""];
     const missing = ofRobots && waiting.readings.size > 0 ? this.#reads().filter((value) => value === "").length : 0;
-    const { row, said, takeOver } = this.weighed;
+    const { row, said, takeOver, others } = this.weighed;
+    const least = 3; // readings that tell where C is
+    others.hidden = !(missing > 0) || this.#robots().length - missing < least;
+    others.textContent = say(missing === 1 ? "Without the other robot" : "Without the other {number} robots", {
+      number: missing,
+    });
     row.hidden = !weighed && !missing && !this.#told;
     takeOver.hidden = !weighed || missing > 0;
     said.textContent = missing
-      ? say("Robots stand where the supports stand, and read what these read: {number} still missing.", {
-          number: missing,
-        })
+      ? say("One robot for each scale, where it stands: {number} still missing.", { number: missing })
       : weighed || this.#told;
     this.weighed.doubt.textContent = missing ? "" : doubt;
     if (!ofRobots) return;
@@ -508,6 +527,8 @@ class Table {
       const vertex = this.#vertexOf(input);
       if (vertex >= 0 && !input.hasAttribute("aria-invalid"))
         this.#focus(vertex - this.#from + (up ? -1 : 1), this.#rows[vertex - this.#from].inputs.indexOf(input));
+    } else if (this.#tabsToOthers(event)) {
+      this.weighed.others.focus();
     } else if (key === "Tab" && !event.shiftKey && input === this.#rows.at(-1)?.inputs[2]) {
       if (typed) this.#commit(input);
       if (input.hasAttribute("aria-invalid") || this.weighed.takeOver.hidden) return;
@@ -521,8 +542,14 @@ class Table {
   // From reading to reading, not by the buttons that delete robots.
   #tabsDown({ target, key, shiftKey }) {
     if (key !== "Tab" || this.#list !== lists.robots) return false;
+    if (!shiftKey && target.value === "" && !this.weighed.others.hidden) return false; // to that button
     const at = this.#rows.findIndex(({ inputs }) => inputs[2] === target);
     return at >= 0 && Boolean(this.#rows[at + (shiftKey ? -1 : 1)]);
+  }
+
+  #tabsToOthers({ target, key, shiftKey }) {
+    const leaves = key === "Tab" && !shiftKey && this.#list === lists.robots && target.value === "";
+    return leaves && !this.weighed.others.hidden && this.#rows.some(({ inputs }) => inputs[2] === target);
   }
 
   #go(vertex, column = 0) {

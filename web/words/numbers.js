@@ -2,7 +2,7 @@
 import { translated } from "./words.js";
 
 const mark = () => translated(".");
-const usesComma = () => mark() === ",";
+export const usesComma = () => mark() === ",";
 
 // "1234.5" and "(12.4, −3)" with the reader's mark: "1234,5" and "(12,4; −3)".
 export function asRead(text) {

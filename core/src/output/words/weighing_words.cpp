@@ -62,20 +62,19 @@ std::string misfit_of_readings(const Reported& of) {
     return say(by > 0 ? "{amount} too little" : "{amount} too much",
                {load_in_words(std::fabs(by), units, Toward::nearest)});
   };
-  std::string text =
-      say("W and C are right if each reading is. But equally stiff supports on even ground would "
-          "read otherwise: the ground is uneven, or the object bends.") +
-      " ";
+  std::string text = say("W and C are right if each reading is.") + " ";
   if (fit.suspect) {
-    text +=
-        say("Or a reading is wrong, and W and C with it: if it is that of support {robot}, it "
-            "reads {amount}.",
-            {*fit.suspect + 1, off(*fit.suspect)});
+    text += say(
+        "Equally stiff supports on even ground would read otherwise: the ground is uneven, the "
+        "object bends, or a reading is wrong; if it is that of support {robot}, it reads {amount}.",
+        {*fit.suspect + 1, off(*fit.suspect)});
   } else {
     double most = 0;
     for (const double by : fit.too_little) most = std::max(most, std::fabs(by));
-    text += say("Or a reading is wrong, by up to {amount}, and W and C with it.",
-                {load_in_words(most, units, Toward::nearest)});
+    text +=
+        say("Equally stiff supports on even ground would read otherwise: the ground is uneven, the "
+            "object bends, or a reading is wrong by up to {amount}.",
+            {load_in_words(most, units, Toward::nearest)});
   }
   text += " " + say("To be sure, lift, set down and read again.");
   const auto& give = of.shown.carrying.give;
