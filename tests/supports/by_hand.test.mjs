@@ -74,6 +74,37 @@ test("a robot let go outside the object is taken away; even out makes all loads 
   await page.done();
 });
 
+test("what a dragged vertex leaves outside stays with its number, in the link and for the program", async () => {
+  const page = await browser.open();
+  await load(page, "(0,0)\n(400,0)\n(400,300)\n(0,300)\n");
+  await set(page, { supports: "400,75@40 100,300 0,150 350,250 60,40" });
+  await idle(page);
+  await drag(page, await toScreen(page, [400, 300]), await toScreen(page, [220, 190]));
+  await idle(page);
+  const after = await state(page);
+  assert.deepEqual(after.left_out, [{ kind: "support", index: 3, in_hole: null }]);
+  assert.deepEqual(
+    after.robots.map(({ support }) => support),
+    [0, 1, 2, 4],
+  );
+  assert.match(after.verdict.reasons.join(" "), /Robot 4 is outside the object: it carries nothing\./);
+  const shared = await link(page);
+  assert.deepEqual(JSON.parse(evenlift("place", shared, "--json", "--candidates", "--keep-misfits")), after);
+  assert.throws(() => evenlift("place", shared), /robot 4: \(350, 250\) is .* outside the object/);
+  await published(page);
+  await reload(page);
+  assert.deepEqual(await state(page), after);
+  // Dragged back, it carries again; the others never changed their numbers.
+  await drag(page, await toScreen(page, [350, 250]), await toScreen(page, [200, 100]));
+  await idle(page);
+  const back = await state(page);
+  assert.equal(back.left_out, undefined);
+  assert.equal(back.robots.length, 5);
+  await undo(page);
+  assert.deepEqual(await state(page), after);
+  await page.done();
+});
+
 test("scripts place robots as arrays or text, and a place outside is refused", async () => {
   const page = await browser.open();
   await load(page, "(0,0)\n(4,0)\n(4,3)\n(0,3)\n");

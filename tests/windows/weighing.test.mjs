@@ -277,4 +277,26 @@ test("with more robots than scales, one press takes away the others", async () =
   assert.equal((await state(page)).robots.length, 4);
   assert.equal(await page.evaluate(() => document.activeElement.textContent), "Take over");
   assert.equal(await page.locator("#table thead th").nth(4).textContent(), "Expected");
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("z"); // the same load for each
+  await idle(page);
+  const { metric, loads, total_weight: weight } = await state(page);
+  assert.deepEqual([metric, weight, loads.spread < 1e-9], ["balanced", 86, true]);
+  assert.equal(await page.locator("#welcome").count(), 0);
+});
+
+test("the keys' list finds weighing and equal loads, and Escape closes it at once", async () => {
+  const page = await browser.open();
+  for (const [words, key] of [
+    ["scale weigh", "Shift+I"],
+    ["equal load", "Z"],
+  ]) {
+    await page.keyboard.press("?");
+    await page.locator("#keys").waitFor();
+    await page.keyboard.type(words);
+    assert.equal(await page.locator("#keys dl > div:not([hidden]) dd").first().innerText(), key);
+    await page.keyboard.press("Escape");
+    await page.locator("#keys").waitFor({ state: "detached" });
+  }
 });

@@ -306,7 +306,7 @@ const std::vector<Action> table = {
     {ActionId::more_teams, Group::teams, Icon::plus, "One more team or robot", "T", {{"t"}}, when::has_teams_number, change_number<1>},
     {ActionId::fewer_teams, Group::teams, Icon::minus, "One fewer team or balanced robot", "Shift+T", {{"T"}}, when::has_teams_number, change_number<-1>},
     {ActionId::next_method, Group::teams, Icon::none, "Next method", "M", {{"m"}}, when::can_change_method, next_method},
-    {ActionId::balanced, Group::teams, Icon::none, "Balanced robots, which can all carry the same load", "Z", {{"z"}}, when::can_change_method,
+    {ActionId::balanced, Group::teams, Icon::none, "Equal loads: balanced robots, which can all carry the same load", "Z", {{"z"}}, when::can_change_method,
      [](const AppState&, Commands& out) { out.push_back(SetMethod{Method::balanced}); }},
     {ActionId::compare, Group::teams, Icon::compare, "Compare with another method", "K", {{"k"}}, when::can_change_method, next_second_method},
     {ActionId::experiment, Group::teams, Icon::charts, "Compare all methods in charts", "Shift+K", {{"K"}}, when::can_change_method,

@@ -147,10 +147,11 @@ void let_fail(Derived& facts, std::size_t robot, const Shown& shown);
 
 // Renews the offer. If no chord meets the minimum load ratio, the offer is a lower ratio.
 // Otherwise, if the placement is not good, the offer is one of a few alternatives: ranges, the goal
-// to hold, teams by area, or balanced robots. It is the first of those with the fewest faults, if
-// these are fewer than the placement's. There is no alternative for more than 2,000 vertices or 16
-// robots, because the search would take long. Costs at most four placements, each as in a drag
-// (Haste::drag).
+// to hold, teams by area, or balanced robots; if it falls, tips or overloads a robot, also the goal
+// to cover, or more robots. It is the first of those with the fewest faults, if these are fewer than
+// the placement's. If it still tips on the given slope, the offer is a gentler slope. There is no
+// alternative for more than 2,000 vertices or 16 robots, because the search would take long. Costs
+// at most seven placements, each as in a drag (Haste::drag).
 void renew_offer(Derived& facts, const Shown& shown);
 
 // --- Derives AppState::derived(), which no other code writes.

@@ -63,6 +63,8 @@ export async function show(page) {
         ),
       ),
     );
+  // A browser would only clear the field, and the next key would be typed into it.
+  filter.addEventListener("keydown", (event) => event.key === "Escape" && filter.closest("dialog").close());
   filter.addEventListener("input", () => {
     const words = filter.value.toLowerCase().split(/\s+/);
     let found = 0;

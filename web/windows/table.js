@@ -80,7 +80,7 @@ export async function show(page, { list } = {}) {
   const table = new Table(page);
   const root = await openWindow({
     name,
-    title: "Coordinates",
+    title: list === lists.robots ? "Weigh it" : "Coordinates",
     modal: false,
     tools: [table.whole],
     body: [
