@@ -445,7 +445,7 @@ export interface ExtraLoad {
   anywhere: number | null;
 }
 
-export type VerdictCode = "no_place" | "falls" | "tips" | "overloaded" | "misfit" | "fewer_teams" | "not_upright" | "low_coverage" | "not_held" | "inaccurate";
+export type VerdictCode = "no_place" | "falls" | "tips" | "overloaded" | "left_out" | "misfit" | "fewer_teams" | "not_upright" | "low_coverage" | "not_held" | "inaccurate";
 
 /** Whether the placement is good, and if not, why. */
 export interface Verdict {

@@ -567,7 +567,7 @@ constexpr Type types[] = {
     {"VerdictCode",
      "",
      {},
-     R"("no_place" | "falls" | "tips" | "overloaded" | "misfit" | "fewer_teams" | "not_upright" | "low_coverage" | "not_held" | "inaccurate")"},
+     R"("no_place" | "falls" | "tips" | "overloaded" | "left_out" | "misfit" | "fewer_teams" | "not_upright" | "low_coverage" | "not_held" | "inaccurate")"},
     {"Verdict", "Whether the placement is good, and if not, why.", verdict},
     {"Misfit", "A support that does not fit.", misfit},
     {"Failure", "What happens if this robot fails.", failure},

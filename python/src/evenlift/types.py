@@ -525,7 +525,7 @@ class ExtraLoad(TypedDict):
     """The greatest weight that may stand anywhere on the object; `null` for any weight."""
 
 
-VerdictCode = Union[Literal["no_place"], Literal["falls"], Literal["tips"], Literal["overloaded"], Literal["misfit"], Literal["fewer_teams"], Literal["not_upright"], Literal["low_coverage"], Literal["not_held"], Literal["inaccurate"]]
+VerdictCode = Union[Literal["no_place"], Literal["falls"], Literal["tips"], Literal["overloaded"], Literal["left_out"], Literal["misfit"], Literal["fewer_teams"], Literal["not_upright"], Literal["low_coverage"], Literal["not_held"], Literal["inaccurate"]]
 
 
 class Verdict(TypedDict):
