@@ -279,6 +279,7 @@ test("with more robots than scales, one press takes away the others", async () =
   assert.equal(await page.locator("#table thead th").nth(4).textContent(), "Expected");
   await page.keyboard.press("Enter");
   await page.keyboard.press("Escape");
+  await page.locator("#table").waitFor({ state: "detached" });
   await page.keyboard.press("z"); // the same load for each
   await idle(page);
   const { metric, loads, total_weight: weight } = await state(page);

@@ -19,7 +19,7 @@ namespace {
 
 // Another document for the same object, tried in the order below.
 struct Alternative {
-  const char* verb;  // the button's first words, in English; may name {robots}
+  const char* verb;  // the button's first words, in English; perhaps with {robots}
   bool says_held;    // the verb promises a hold
   bool (*suits)(const Placement&);
   Document (*document)(const Derived&);
