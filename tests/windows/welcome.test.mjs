@@ -38,6 +38,16 @@ test("a link in a language is for newcomers, too; an embedded page or a challeng
   }
 });
 
+test("the first Tab leads to the card's first button", async () => {
+  const page = await browser.open({ first: true });
+  await card(page).waitFor();
+  await idle(page);
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Tab");
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), "Place robots yourself");
+  await page.done();
+});
+
 for (const [width, height, touch] of [
   [320, 568, true],
   [390, 844, true],

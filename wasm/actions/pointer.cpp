@@ -93,15 +93,12 @@ void press_parts(const AppState& state, const Pointer& pointer, Commands& comman
 
 // A press on a robot grabs it; elsewhere a click adds one.
 void press_robot(const AppState& state, const Pointer& pointer, Commands& commands) {
-  Pick under = pick_explained(state, pointer.at, pointer.second);
-  if (const Pick outside = left_out_at(state, pointer.at); outside.kind != Pick::Kind::none)
-    under = outside;
-  else if (under.kind != Pick::Kind::robot || !can_take_robot(state, under))
-    under = {Pick::Kind::ground, 0, 0, pointer.at};
+  Pick under = left_out_at(state, pointer.at);
+  if (under.kind == Pick::Kind::none) under = pick_explained(state, pointer.at, pointer.second);
+  if (under.kind == Pick::Kind::left_out || can_take_robot(state, under))
+    under.at = state.view.camera.to_screen(under.at) - pointer.at;
   else
-    under.at = state.view.camera.to_screen(under.at) - pointer.at;
-  if (under.kind == Pick::Kind::left_out)
-    under.at = state.view.camera.to_screen(under.at) - pointer.at;
+    under = {Pick::Kind::ground, 0, 0, pointer.at};
   commands.push_back(SetHeld{under});
 }
 

@@ -168,31 +168,26 @@ void draw_picture(const Painter& painter, const CanvasView& view) {
   draw_marked_candidate(painter, view);
 }
 
-void draw_refused_edges(const Painter& painter, const Document& document, const Place& place,
+void draw_refused_edges(const Painter& painter, const Points& outline, const Place& place,
                         const Theme& theme) {
   std::vector<NumberedEdge> numbered;
-  for (const auto& [number, edge] :
-       {std::pair(place.ring, place.index), std::pair(place.other_ring, place.other)}) {
-    const Points& ring = ring_of(document, number);
-    const Vec2 &from = ring[edge % ring.size()], &to = ring[(edge + 1) % ring.size()];
+  for (const std::size_t edge : {place.index, place.other}) {
+    const Vec2 &from = outline[edge % outline.size()], &to = outline[(edge + 1) % outline.size()];
     painter.line(from, to, theme.amber, 5);
     numbered.push_back({from, to, edge});
   }
   draw_edge_numbers(painter, theme, theme.amber, numbered);
 }
 
+// Only the outline can be at fault: holes that do not fit are left out.
 void draw_refused(const Painter& painter, const AppState& state, const Theme& theme) {
-  const Document& document = state.work.document();
-  painter.outlines(document.vertices, document.holes, theme.amber, 2);
+  const Points& outline = state.work.document().vertices;
+  painter.outlines(outline, state.work.document().holes, theme.amber, 2);
   const Place& place = state.derived().refusal->place;
-  if (document.vertices.empty() || place.ring > document.holes.size() ||
-      place.other_ring > document.holes.size())
-    return;
-  const Points& ring = ring_of(document, place.ring);
-  if (place.kind == Place::Kind::edge) draw_refused_edges(painter, document, place, theme);
-  if (place.kind == Place::Kind::hole) painter.outline(ring, theme.amber, 5);
-  if (place.kind == Place::Kind::vertex && place.index < ring.size())
-    painter.list().AddCircle(painter.at(ring[place.index]), 11, theme.amber.packed(), 32, 3);
+  if (outline.empty()) return;
+  if (place.kind == Place::Kind::edge) draw_refused_edges(painter, outline, place, theme);
+  if (place.kind == Place::Kind::vertex && place.index < outline.size())
+    painter.list().AddCircle(painter.at(outline[place.index]), 11, theme.amber.packed(), 32, 3);
 }
 
 // While the picture lags behind a drag, the outline is already new.

@@ -19,7 +19,7 @@ namespace {
 
 // Another document for the same object, tried in the order below.
 struct Alternative {
-  const char* verb;  // the button's first words, in English; perhaps with {robots}
+  const char* verb;  // the button's first words, in English; null for the number of robots
   bool says_held;    // the verb promises a hold
   bool (*suits)(const Placement&);
   Document (*document)(const Derived&);
@@ -64,8 +64,8 @@ const Alternative alternatives[] = {
     {"Use goal Cover", false,
      [](const Placement& of) { return has_number(of) && goal_of(of.settings) == Goal::hold; },
      [](const Derived& facts) { return with(facts, &Settings::goal, std::optional(Goal::cover)); }, true},
-    {"Use {robots}", false, has_number, with_more<1>, true},
-    {"Use {robots}", false, has_number, with_more<2>, true},
+    {nullptr, false, has_number, with_more<1>, true},
+    {nullptr, false, has_number, with_more<2>, true},
 };
 // clang-format on
 
@@ -124,7 +124,8 @@ std::size_t faults(const Judgement& judgement) {
   return judgement.reasons.size() + (judgement.kind == VerdictKind::bad ? bad : 0);
 }
 
-// A gentler slope, on which the object does not tip.
+// A gentler slope, on which the object stands clearly (Report::upright): it still does if robots and
+// slope are off by a little.
 std::optional<Offer> gentler_slope(const Derived& facts, const Reported& now) {
   if (!now.report.tips || !now.report.tilt || !(now.shown.carrying.slope > 0)) return std::nullopt;
   const Tilt& tilt = *now.report.tilt;
@@ -133,7 +134,7 @@ std::optional<Offer> gentler_slope(const Derived& facts, const Reported& now) {
   for (double percent = std::floor(100 * least); percent >= 1;
        percent = std::floor(percent * 0.9)) {
     gentler.carrying.slope = percent / 100;
-    if (evenlift::report_of(ShownPlacement(now.placement, gentler)).tips) continue;
+    if (!evenlift::report_of(ShownPlacement(now.placement, gentler)).upright) continue;
     return Offer{facts.placed.settings,
                  say("Slope {slope} at most: it stays", {slope_in_words(gentler.carrying.slope)}),
                  gentler};
@@ -163,10 +164,9 @@ std::optional<Offer> best_alternative(const Derived& facts, const Shown& shown) 
     if ((!told.gains && !alternative.says_held) || !holds || faults(judged) >= fewest) continue;
     fewest = faults(judged);
     const std::string robots = count_of(count_robots(other->teams), "robot", "robots");
-    const bool named =
-        std::string_view(alternative.verb).find("{robots}") != std::string_view::npos;
-    found = Offer{document.settings,
-                  (named ? say("Use {robots}", {robots}) : say(alternative.verb)) + told.text};
+    const std::string verb =
+        alternative.verb ? say(alternative.verb) : say("Use {robots}", {robots});
+    found = Offer{document.settings, verb + told.text};
     if (judged.kind == VerdictKind::good) break;
   }
   if (fewest >= bad)

@@ -165,22 +165,15 @@ void draw_push(const Painter& painter, const CanvasView& view) {
 // Writes the reason at the place of the fault.
 void draw_reason(const Painter& painter, const CanvasView& view) {
   const InputError& error = *view.state.derived().refusal;
-  const Document& document = view.state.work.document();
+  const Points& outline = view.state.work.document().vertices;  // holes are left out, not refused
   const Place& place = error.place;
-  const auto is_there = [&](std::size_t ring, std::size_t index) {
-    return ring <= document.holes.size() && index < ring_of(document, ring).size();
-  };
+  const std::size_t n = outline.size();
   Vec2 spot;
-  if (place.kind == Place::Kind::vertex && is_there(place.ring, place.index)) {
-    spot = ring_of(document, place.ring)[place.index];
-  } else if (place.kind == Place::Kind::hole && is_there(place.ring, 0)) {
-    spot = ring_of(document, place.ring)[0];
-  } else if (place.kind == Place::Kind::edge && is_there(place.ring, place.index) &&
-             is_there(place.other_ring, place.other)) {
-    const Points &first = ring_of(document, place.ring),
-                 &second = ring_of(document, place.other_ring);
-    const Vec2 &a = first[place.index], &b = first[(place.index + 1) % first.size()];
-    const Vec2 &c = second[place.other], &d = second[(place.other + 1) % second.size()];
+  if (place.kind == Place::Kind::vertex && place.index < n) {
+    spot = outline[place.index];
+  } else if (place.kind == Place::Kind::edge && place.index < n && place.other < n) {
+    const Vec2 &a = outline[place.index], &b = outline[(place.index + 1) % n];
+    const Vec2 &c = outline[place.other], &d = outline[(place.other + 1) % n];
     const double turn = cross(b - a, d - c);
     const double share = turn != 0 ? std::clamp(cross(c - a, d - c) / turn, 0.0, 1.0) : 0.5;
     spot = a + (b - a) * share;

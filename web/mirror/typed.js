@@ -52,9 +52,12 @@ const tidied = (typed) => typed.replaceAll("−", "-").replaceAll("\u00A0", " ")
 
 const strange = new RegExp(`^${typedForm}\\s*([A-Za-zµ"'′″]+)$`);
 
+// Settings that are not one number or pair of numbers in units of length or weight.
+const ofOtherKinds = () => ["no_go", "readings", "readings_tilted", ...ratios];
+
 // The two readings of a typed number, each with its unit; undefined if there is only one.
 export function typedDoubt(typed, setting) {
-  if (["com", "no_go", "readings", "readings_tilted", ...ratios].includes(setting)) return undefined;
+  if (setting === "com" || ofOtherKinds().includes(setting)) return undefined;
   const [, bare, of = ""] = one.exec(tidied(typed)) ?? [],
     doubt = bare && readings(bare);
   if (!doubt) return undefined;
@@ -66,7 +69,7 @@ export function typedDoubt(typed, setting) {
 // stop; "" for neither. `setting` and `own` are as below; `isLength` marks a length, even without a unit.
 export function typedProblem(typed, setting, own, isLength) {
   const text = tidied(typed);
-  if (["no_go", "readings", "readings_tilted", ...ratios].includes(setting)) return "";
+  if (ofOtherKinds().includes(setting)) return "";
   const doubt = typedDoubt(typed, setting);
   if (doubt) return say("“{text}” may mean {whole} or {decimal}: type one of these", { text, ...doubt });
   const unknown = one.test(text) ? undefined : strange.exec(text)?.[1];

@@ -521,14 +521,14 @@ class Table {
     } else if ((event.ctrlKey || event.metaKey) && /^[zy]$/i.test(key)) {
       if (typed) return; // the field's own undo
       this.#program.number("page_key", key, 1, event.shiftKey ? 1 : 0);
+    } else if (this.#tabsToOthers(event)) {
+      this.weighed.others.focus();
     } else if ((/^(Enter|ArrowUp|ArrowDown)$/.test(key) && input.matches("input")) || this.#tabsDown(event)) {
       const up = key === "ArrowUp" || event.shiftKey;
       if (typed) this.#commit(input);
       const vertex = this.#vertexOf(input);
       if (vertex >= 0 && !input.hasAttribute("aria-invalid"))
         this.#focus(vertex - this.#from + (up ? -1 : 1), this.#rows[vertex - this.#from].inputs.indexOf(input));
-    } else if (this.#tabsToOthers(event)) {
-      this.weighed.others.focus();
     } else if (key === "Tab" && !event.shiftKey && input === this.#rows.at(-1)?.inputs[2]) {
       if (typed) this.#commit(input);
       if (input.hasAttribute("aria-invalid") || this.weighed.takeOver.hidden) return;
@@ -542,11 +542,11 @@ class Table {
   // From reading to reading, not by the buttons that delete robots.
   #tabsDown({ target, key, shiftKey }) {
     if (key !== "Tab" || this.#list !== lists.robots) return false;
-    if (!shiftKey && target.value === "" && !this.weighed.others.hidden) return false; // to that button
     const at = this.#rows.findIndex(({ inputs }) => inputs[2] === target);
     return at >= 0 && Boolean(this.#rows[at + (shiftKey ? -1 : 1)]);
   }
 
+  // From an empty reading.
   #tabsToOthers({ target, key, shiftKey }) {
     const leaves = key === "Tab" && !shiftKey && this.#list === lists.robots && target.value === "";
     return leaves && !this.weighed.others.hidden && this.#rows.some(({ inputs }) => inputs[2] === target);

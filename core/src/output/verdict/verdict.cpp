@@ -114,9 +114,12 @@ Judgement judge(const Reported& of) {
     reasons.push_back(std::move(reason));
     judgement.codes.push_back(code);
   };
+  const auto add_left_out = [&] {
+    for (std::string& sentence : left_out_in_words(placement)) add("left_out", std::move(sentence));
+  };
   if (placement.teams.empty()) {
     judgement.kind = VerdictKind::bad;
-    for (std::string& sentence : left_out_in_words(placement)) add("left_out", std::move(sentence));
+    add_left_out();
     if (placement.left_out.empty() || placement.settings.method != Method::given)
       add("no_place", placement.search_ended ? shortage_in_words(placement) : loads_in_words(of));
     return judgement;
@@ -125,7 +128,7 @@ Judgement judge(const Reported& of) {
   if (!stands) add("falls", loads_in_words(of));
   if (stands) add(of.report.tips ? "tips" : "overloaded", worst_news_in_words(of));
   const bool is_bad = !reasons.empty();
-  for (std::string& sentence : left_out_in_words(placement)) add("left_out", std::move(sentence));
+  add_left_out();
   for (std::string& misfit : misfits_in_words(of)) add("misfit", std::move(misfit));
   add("fewer_teams", shortage_in_words(placement));
   add("not_upright", upright_in_words(of));
