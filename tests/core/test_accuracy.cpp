@@ -242,13 +242,13 @@ TEST_CASE("how far robots may be off is told in a sentence", "[accuracy][words]"
     const Placement placement = placed(document);
     return plainly(accuracy_in_words({placement, document.shown}));
   };
-  CHECK(words() == "All of this holds if robots stand within 1.9 of their places.");
+  CHECK(words() == "All of this holds if robots stand within 1.9 units of their places.");
   document.settings.accuracy = 1;
   CHECK(words() ==
         "With robots off by up to 1 all of this still holds; robot 1 then carries up to about "
         "33.4 kg.");
   document.settings.accuracy = 3;
-  CHECK(words() == "With robots off by 1.9 or more, the robots may no longer hold it.");
+  CHECK(words() == "With robots off by 1.9 units or more, the robots may no longer hold it.");
   const Placement placement = placed(document);
   CHECK(judge({placement, document.shown}).kind == VerdictKind::warning);
 }
@@ -268,7 +268,7 @@ TEST_CASE("an object on the tipping line does not stand clearly", "[accuracy][ve
   const Judgement judgement = judge({placement, document.shown});
   CHECK(judgement.kind == VerdictKind::warning);
   CHECK(plainly(judgement.reasons.front()) ==
-        "C is only 0.099 inside the line from robot 1 to robot 2.");
+        "C is only 0.099 units inside the line from robot 1 to robot 2.");
   const auto conditions = read_conditions("upright, within>=0.05, within>=1");
   REQUIRE(conditions.ok());
   const auto checked = check_conditions({placement, document.shown}, *conditions);

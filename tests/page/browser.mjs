@@ -266,11 +266,70 @@ export const summary = (page) => page.locator("#summary").textContent();
 // Resolves once nothing is under way in the page (docs/page.md): tests wait for this, not for a time.
 export const idle = (page) => page.evaluate(() => evenlift.idle());
 
-// The place and middle of a control of the canvas; null if it is not shown.
-export async function controlIfShown(page, name) {
+// The controls that are in the panel's drawers (wasm/panels/drawers.cpp).
+const drawers = {
+  Object: ["com", "com radius", "com height", "length units", "weight units", "Add cargo", "Add a hole"],
+  Robots: [
+    ...["capacity", "use needed", "any", "ratio", "min ratio", "seed", "goals", "min margin", "survive", "radius"],
+    ...["robot radius", "robot reach", "robot depth", "robot width", "robot gap", "no go", "mark edges", "accuracy"],
+    ...["clear", "positions", "apart", "snap"],
+  ],
+  Carrying: ["slope", "acceleration", "dynamic", "weight doubt", "uneven", "give", "extra", "cases"],
+  Weighing: ["reading_error", "level_error", "tilted", "heading", "readings_tilted"],
+  Show: [
+    "Base",
+    "Chords",
+    "Candidates",
+    "Clockwise",
+    "Counter-clockwise",
+    "Tipping",
+    "Tipping distance",
+    "Tilt",
+    "loads",
+  ],
+  Compare: ["compared"],
+};
+const drawerOf = (name) => Object.keys(drawers).find((drawer) => drawers[drawer].includes(name.replace(/ [-+]$/, "")));
+
+const place = async (page, name) => {
   await idle(page);
-  const place = await page.evaluate((n) => evenlift.view.control(n), name);
-  return place && { ...place, middle: [place.x + place.width / 2, place.y + place.height / 2] };
+  return page.evaluate((n) => evenlift.view.control(n), name);
+};
+
+// Opens drawers of the panel, as users do.
+export async function openDrawers(page, ...names) {
+  for (const name of names) {
+    if (!(await place(page, name))) continue;
+    const open = page.locator(`#mirror button[aria-label^="${name}"][aria-pressed]`);
+    if ((await open.first().getAttribute("aria-pressed")) === "true") continue;
+    await open.first().evaluate((button) => button.click());
+    await idle(page);
+  }
+}
+
+// Scrolls the side panel until the control is in sight, like a wheel.
+async function inSight(page, name, found) {
+  const { width, height } = page.viewportSize();
+  const verdict = await place(page, "failures");
+  if (!found || !verdict || width < 640 || found.x < width - 400 || found.x < verdict.x - 8) return found;
+  const y = found.y + found.height / 2;
+  const stays = ["failures", "failure +", "failure -", "offer", "whole verdict", "fold"].includes(name);
+  if (stays || (y < height - 40 && y > verdict.y + verdict.height + 48)) return found;
+  await page.mouse.move(found.x + 4, height - 60);
+  await page.mouse.wheel(0, y - 0.65 * height);
+  return place(page, name);
+}
+
+// The place and middle of a control of the canvas; null if it is not shown, in a drawer either.
+export async function controlIfShown(page, name) {
+  let found = await place(page, name);
+  const drawer = drawerOf(name);
+  if (!found && drawer) {
+    await openDrawers(page, drawer);
+    found = await place(page, name);
+  }
+  if (drawer) found = await inSight(page, name, found);
+  return found && { ...found, middle: [found.x + found.width / 2, found.y + found.height / 2] };
 }
 
 export async function control(page, name) {
@@ -280,7 +339,8 @@ export async function control(page, name) {
 }
 
 export async function press(page, name) {
-  const { middle } = await control(page, name);
+  const { x, y, width, height } = await inSight(page, name, await control(page, name));
+  const middle = [x + width / 2, y + height / 2];
   await page.mouse.click(...middle);
 }
 

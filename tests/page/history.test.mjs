@@ -6,6 +6,7 @@ import {
   idle,
   link,
   load,
+  openDrawers,
   lShape,
   redo,
   reload,
@@ -229,10 +230,11 @@ test("the comparison survives a reload, and its steps are undone and done again"
       .getByRole("combobox", { name: "Compare with" })
       .evaluate((list) => list.selectedOptions[0].text);
   await page.keyboard.press("k");
-  await idle(page);
+  await openDrawers(page, "Compare");
   const chosen = await compared();
   assert.notEqual(chosen, "Nothing");
   await reloaded(page);
+  await openDrawers(page, "Compare");
   await page.waitForFunction(
     (text) => [...document.querySelectorAll("#mirror select")].some((list) => list.selectedOptions[0]?.text === text),
     chosen,
@@ -252,6 +254,7 @@ test("the comparison survives a reload, and its steps are undone and done again"
     ),
   );
   await reloaded(page);
+  await openDrawers(page, "Compare");
   assert.equal(await compared(), "Nothing", "a method that is not there is not compared with");
   await page.done();
 });

@@ -194,6 +194,7 @@ test("view goes from the polygon to the screen and back, and follows the view", 
 test("frames stands still while nothing happens", async () => {
   const page = await browser.open({ hasty: true });
   await page.mouse.move(640, 400);
+  await page.evaluate(() => evenliftTimersRing()); // the pointer rests: what it is on is explained, once
   await drawsNothing(page);
   const before = await page.evaluate(() => evenlift.frames);
   await set(page, { teams: 4 });

@@ -153,7 +153,7 @@ test("what is read by a call holds all that was done before it", async () => {
 
 test("a click after a key meets the panels as the key left them", async () => {
   const page = await opened();
-  const { x, y, width, height } = await page.evaluate(() => evenlift.view.control("ratio"));
+  const { x, y, width, height } = await page.evaluate(() => evenlift.view.control("weight +"));
   const where = [x + width / 2, y + height / 2];
   // With the panel folded away, the whole background can be drawn on.
   await act(page, [
@@ -165,7 +165,7 @@ test("a click after a key meets the panels as the key left them", async () => {
     ["key", "Enter"],
   ]);
   assert.equal((await state(page)).polygon.length, 3);
-  assert.equal((await state(page)).min_ratio, 0.8);
+  assert.equal((await state(page)).weight, 100);
   await page.done();
 });
 

@@ -85,8 +85,6 @@ test("the brush marks edges with the mouse, and undo takes it back", async () =>
 test("marks are typed for those who do not paint", async () => {
   const page = await browser.open();
   await load(page, asset("square"));
-  await press(page, "robot size");
-  await idle(page);
   await press(page, "no go");
   await idle(page);
   await page.keyboard.press("Control+a");
@@ -101,8 +99,6 @@ test("marks are typed for those who do not paint", async () => {
 test("the radius has a slider, for the pointer and for keys, and is typed, too", async () => {
   const page = await browser.open({ viewport: { width: 1280, height: 1300 } });
   await load(page, asset("square"));
-  await press(page, "robot size");
-  await idle(page);
   const {
     x,
     width,

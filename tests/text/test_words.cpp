@@ -162,19 +162,20 @@ TEST_CASE("what can still move is named, and what holds the object", "[words]") 
   placement.closure.second_order = false;
   placement.closure.clearance = {100, 4, 12.9};
   CHECK(plainly(closure_in_words(placement)) ==
-        "The robots' contact alone stops it from sliding or turning.");
+        "The robots hold it: it can neither slide nor turn, even without friction.");
   CHECK(is_held(placement));
   // A hold by a hair is unreliable.
   placement.settings.clear = 0.1;
   placement.closure.clearance = {0.0912, 4, 0.05};
-  CHECK(plainly(closure_in_words(placement)) ==
-        "It is held only as long as robot 5 stands accurately: it is only 0.091 from a corner.");
+  CHECK(
+      plainly(closure_in_words(placement)) ==
+      "It is held only as long as robot 5 stands accurately: it is only 0.091 units from a corner.");
   CHECK_FALSE(is_held(placement));
   placement.settings.clear = 0.09;
   CHECK(is_held(placement));
   placement.closure.clearance.tolerance = 0.0449;
   CHECK(plainly(closure_in_words(placement)) ==
-        "It is held only as long as robots stand within 0.044 of their places.");
+        "It is held only as long as robots stand within 0.044 units of their places.");
   CHECK_FALSE(is_held(placement));
   placement.closure = {};
   placement.closure.margin.reset();

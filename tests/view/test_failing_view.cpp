@@ -232,6 +232,8 @@ TEST_CASE("a C uncertainty makes the program's ranges, and sentences that say ho
   }
   CHECK(summary(state).find(uncertainty_in_words(reported(state))) != std::string::npos);
   CHECK(verdict(state).headline == loads_in_words({*state.derived().placement, shown(state)}));
+  CHECK(verdict(state, Words::in_panel).headline ==
+        loads_in_words({*state.derived().placement, shown(state)}, TellWeight::no));
   const double beyond = models.springs.same_within * 1.5;
   give(state, showing(state, &Shown::com_radius, beyond));
   const auto wider = loads_by(LoadModel::plan, *state.derived().placement,

@@ -168,7 +168,7 @@ TEST_CASE("a robot's body that is smaller than its mark is not drawn", "[view][s
 TEST_CASE("every frame with robots of a size can be drawn", "[view][stands][slow]") {
   for (const Method method : {Method::area, Method::balanced}) {
     Page page;
-    page.app.state.view.robot_open = true;
+    page.app.state.view.open_drawers.fill(true);
     Settings changed = with_method(settings(page.app.state), method, 3);
     changed.robot = {12, 8, 20, 16, 3};
     changed.no_go = {{1, 0, 0.5}};

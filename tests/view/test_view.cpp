@@ -375,7 +375,7 @@ TEST_CASE("texts on lines that cross do not cover each other", "[view]") {
 TEST_CASE("the zoom is told against what fits: the polygon with a centre of mass beside it",
           "[view]") {
   Page page;
-  page.app.commands = {MoveCentre{{1500, 100}}, EndEdit{}, FitView{}};
+  page.app.commands = {MoveCentre{Vec2(1500, 100)}, EndEdit{}, FitView{}};
   settle(page.app);
   page.app.commands = {ZoomView{2}};
   settle(page.app);

@@ -602,7 +602,7 @@ TEST_CASE("what was edited in a lesson is one undo away when it is closed", "[vi
   const std::string before = link(state);
   REQUIRE_FALSE(open_lesson(state, on_a_square, square));
   set(page, [](Settings& s) { s.teams = 1; });
-  give(state, MoveCentre{{90, 110}});
+  give(state, MoveCentre{Vec2(90, 110)});
   give(state, EndEdit{});
   page.press({"Escape"});
   CHECK(link(state) == before);

@@ -181,7 +181,7 @@ test("over all samples, moved ones too, it writes what the program writes, byte 
 test("over the set like the thesis's it writes what the program writes, byte for byte", async () => {
   const page = await browser.open();
   const window = await openWindow(page, "experiment");
-  await window.getByLabel("A set like the thesis’s").check();
+  await window.getByLabel("Random polygons, as in the thesis behind evenlift").check();
   await checkWhole(page, window, "thesis-like", ["Regular, 40 sides"]);
 });
 

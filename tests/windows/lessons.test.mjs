@@ -9,6 +9,7 @@ import {
   drag,
   idle,
   link,
+  openDrawers,
   load,
   lShape,
   phone,
@@ -549,7 +550,7 @@ test("what is shown and compared is back, too; the lesson itself has the whole p
   await set(page, { overlays: ["candidates", "halo"] });
   await page.locator("#canvas").focus();
   await page.keyboard.press("k");
-  await idle(page);
+  await openDrawers(page, "Compare");
   const compared = () =>
     page
       .locator("#mirror")

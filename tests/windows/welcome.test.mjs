@@ -403,11 +403,11 @@ test("a control that the panel has scrolled away is brought back by the stop tha
     return y >= 0 && y + height <= 390;
   };
   await idle(page);
-  assert.equal(await seen("Clockwise"), false);
+  await page.mouse.move(740, 300);
+  await page.mouse.wheel(0, 4000);
+  await idle(page);
+  assert.equal(await seen("teams +"), false);
   await takeTour(page);
-  await goToStop(page, "Can it still move?");
-  assert.equal(await seen("Clockwise"), true);
-  assert.equal((await ringed(page)).length, 1);
   await goToStop(page, "Settings");
   assert.equal(await seen("teams +"), true);
   await page.done();

@@ -88,7 +88,7 @@ test("a vertex of a hole is dragged, and a hole is drawn, refused where it cross
 test("weights are placed by a click, typed and named in the table, and removed by Delete", async () => {
   const page = await openPlate();
   await page.keyboard.press("d");
-  await press(page, "Weight");
+  await press(page, "Cargo");
   await click(page, [150, 30]);
   assert.equal((await state(page)).cargo.length, 2);
   assert.equal((await state(page)).cargo[1].weight, 6, "a tenth of the object's own");

@@ -111,9 +111,9 @@ void check(void (*walk)(SpokenPage&)) {
 }
 
 void walk_through_settings(SpokenPage& page) {
-  for (bool View::*section :
-       {&View::more_open, &View::robot_open, &View::carrying_open, &View::formal_open})
-    give(page.state(), SetSectionOpen{section, true});
+  give(page.state(), SetSectionOpen{&View::formal_open, true});
+  for (std::size_t i = 0; i < drawer_count; ++i)
+    give(page.state(), SetDrawerOpen{static_cast<Drawer>(i), true});
   struct Size {
     int width, height;
   };

@@ -9,6 +9,7 @@
 #include "state/method.h"
 #include "tools/drawing.h"
 #include "tools/pick.h"
+#include "tools/picture_marks.h"
 #include "tools/transform.h"
 #include "walkthrough/walkthrough.h"
 
@@ -197,9 +198,11 @@ void type_edge(const AppState& s, Commands& out) {
   if (s.view.sheet != Sheet::closed) out.push_back(SetSheet{Sheet::closed});
   out.push_back(TypeValue{"edge length"});
 }
-void type_uncertainty(const AppState& s, Commands& out) {
-  out.push_back(SetSectionOpen{&View::more_open, true});
-  type_value<typed_uncertainty>(s, out);
+
+void explain_next(const AppState& s, Commands& out) {
+  const std::size_t next = s.view.explained ? *s.view.explained + 1 : 0;
+  const bool is_one = next < marks_in_picture(s).size();
+  out.push_back(ExplainMark{is_one ? std::optional(next) : std::nullopt});
 }
 
 // The robot with the open card, or the next one; none after the last.
@@ -220,6 +223,8 @@ void close_card(Commands& out) {
 void dismiss(const AppState& s, Commands& out) {
   if (s.session.list_open)
     out.push_back(CloseList{});
+  else if (s.view.explained)
+    out.push_back(ExplainMark{});
   else if (s.derived().explanation || failing(s))
     close_card(out);
   else if (when::drawing(s) && !s.view.drawing.points.empty())
@@ -319,10 +324,9 @@ const std::vector<Action> table = {
     {ActionId::fail, Group::teams, Icon::none, "Let the next robot fail; after the last one, none", "Shift+F", {{"F"}}, when::can_fail, fail_next},
     {ActionId::type_ratio, Group::teams, Icon::none, "Type the minimum load ratio", "Shift+R", {{"R"}}, when::editing, type_value<typed_ratio>},
     {ActionId::type_weight, Group::teams, Icon::none, "Type the weight", "Y", {{"y"}}, when::editing, type_value<typed_weight>},
-    {ActionId::type_robot, Group::teams, Icon::none, "Type the radius of a robot", "Shift+H", {{"H"}}, when::editing,
-     [](const AppState& s, Commands& out) { out.push_back(SetSectionOpen{&View::robot_open, true}); type_value<typed_radius>(s, out); }},
+    {ActionId::type_robot, Group::teams, Icon::none, "Type the radius of a robot", "Shift+H", {{"H"}}, when::editing, type_value<typed_radius>},
     {ActionId::type_capacity, Group::teams, Icon::none, "Type the capacity of a robot", "Shift+Y", {{"Y"}}, when::editing, type_value<typed_capacity>},
-    {ActionId::type_uncertainty, Group::teams, Icon::none, "Type the C uncertainty", "Shift+E", {{"E"}}, when::editing, type_uncertainty},
+    {ActionId::type_uncertainty, Group::teams, Icon::none, "Type the C uncertainty", "Shift+E", {{"E"}}, when::editing, type_value<typed_uncertainty>},
     {ActionId::type_seed, Group::teams, Icon::none, "Type the seed of random teams", "Shift+U", {{"U"}}, when::is_random, type_value<typed_seed>},
     {ActionId::type_centre, Group::teams, Icon::none, "Type the centre of mass", "J", {{"j"}}, when::editing, type_value<typed_centre>},
     {ActionId::free_centre, Group::teams, Icon::none, "Centre of mass back to the centroid", "Shift+J", {{"J"}}, when::has_own_centre, ask<ReleaseCentre>},
@@ -347,6 +351,7 @@ const std::vector<Action> table = {
      [](const AppState& s, Commands& out) { out.push_back(SetMotion{!s.view.motion}); }},
     {ActionId::help, Group::help, Icon::help, "Keys", "?", {{"?"}}, when::always, show<Dialog::keys>},
     {ActionId::about, Group::help, Icon::about, "About evenlift", "Shift+A", {{"A"}}, when::editing, show<Dialog::about>},
+    {ActionId::explain, Group::help, Icon::none, "Explain the next mark of the picture", "/", {{"/"}}, when::has_marks, explain_next},
     {ActionId::glossary, Group::help, Icon::book, "Glossary", "Shift+G", {{"G"}}, when::always, show<Dialog::glossary>},
     {ActionId::welcome, Group::help, Icon::none, "How to begin, and the tour", "Shift+W", {{"W"}}, when::editing, show<Dialog::welcome>},
     // Named in the other language, for its readers.

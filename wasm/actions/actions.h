@@ -20,7 +20,7 @@ enum class ActionId : std::uint8_t {
   more_teams, fewer_teams, place_yourself, add_robots, remove_robot, even_out, weigh, take_over, next_method, balanced, compare, experiment, higher_ratio, lower_ratio,
   all_teams, fail, type_ratio, type_weight, type_capacity, type_uncertainty, type_robot, type_seed, type_centre, free_centre,
   toggle_hull, toggle_clockwise, toggle_counterclockwise, toggle_chords, toggle_candidates, toggle_tipping, toggle_halo, toggle_tilt, toggle_load,
-  zoom_in, zoom_out, fit, fold_panel, motion, help, about, glossary, welcome, language, dismiss
+  zoom_in, zoom_out, fit, fold_panel, motion, explain, help, about, glossary, welcome, language, dismiss
 };
 // clang-format on
 
@@ -105,6 +105,7 @@ bool has_height(const AppState& s);  // C has a height
 bool has_extra(const AppState& s);   // the user asks about a further load
 bool can_fail(const AppState& s);
 
+bool has_marks(const AppState& s);      // the picture has marks that explain themselves
 bool anything_open(const AppState& s);  // Escape would close something
 
 }  // namespace evenlift::view::when

@@ -212,7 +212,7 @@ void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
     const double away =
         length(state.view.camera.to_screen(to) - state.view.camera.to_screen(centroid));
     if (away <= (state.view.snap.grid || state.view.snap.axis ? 12 : 6))
-      commands.push_back(MoveCentre{rounded_finely(state.view.camera, centroid)});
+      commands.push_back(MoveCentre{});
     else
       commands.push_back(MoveCentre{snapped(state, to)});
   }

@@ -115,9 +115,14 @@ bool can_fail(const AppState& s) {
          !s.derived().refusal && !in_walkthrough(s);
 }
 
+bool has_marks(const AppState& s) {
+  return s.view.tool == Tool::parts && !in_walkthrough(s) && s.derived().placement;
+}
+
 bool anything_open(const AppState& s) {
-  return s.session.list_open || s.derived().explanation || failing(s) || s.view.selected ||
-         s.view.tool != Tool::parts || !s.session.notice.text.empty() || s.view.presenting ||
+  return s.session.list_open || s.view.explained || s.derived().explanation || failing(s) ||
+         s.view.selected || s.view.tool != Tool::parts || !s.session.notice.text.empty() ||
+         s.view.presenting ||
          (in_walkthrough(s) && (editing(s) || !s.view.walkthrough.why.empty()));
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "edits/undo.h"
 #include "edits/vertices.h"
@@ -18,6 +19,7 @@
 #include "state/layout.h"
 #include "state/method.h"
 #include "state/screen.h"
+#include "tools/picture_marks.h"
 #include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
@@ -317,6 +319,15 @@ struct Applier {
     state.view.panel_open = c.open;
   }
   void operator()(const SetSectionOpen& c) const { state.view.*c.section = c.open; }
+  void operator()(const SetDrawerOpen& c) const {
+    state.view.open_drawers[static_cast<std::size_t>(c.drawer)] = c.open;
+    state.session.wanted_field.clear();
+  }
+  void operator()(const ExplainMark& c) const {
+    state.view.explained = c.mark;
+    const std::vector<PictureMark> marks = marks_in_picture(state);
+    if (c.mark && *c.mark < marks.size()) announce(state, mark_in_words(marks[*c.mark]));
+  }
   void operator()(const SetErases& c) const { state.view.erases = c.erases; }
   void operator()(const ListIsOpen& c) const {
     state.session.list_open = c.open;
@@ -336,7 +347,10 @@ struct Applier {
       show(state, {Notice::Kind::problem, sentence(link.error()) + "."});
     }
   }
-  void operator()(const TypeValue& c) const { emit(state, FocusField{c.control}); }
+  void operator()(const TypeValue& c) const {
+    state.session.wanted_field = c.control;
+    emit(state, FocusField{c.control});
+  }
   void operator()(const OpenDialog& c) const { emit(state, ShowDialog{c.dialog}); }
   void operator()(const OpenPage&) const { emit(state, ShowPage{}); }
   void operator()(const LayOutAgain&) const { emit(state, NextFrame{}); }

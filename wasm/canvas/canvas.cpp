@@ -290,6 +290,7 @@ void draw_canvas(const AppState& state, const Scene& scene, const Scene& second,
     draw_drawing(Painter(list, state.view.camera, state.session.screen.area()), state, colours,
                  layout.free);
   draw_hint(list, state, layout, colours);
+  if (placement) draw_explained(list, view);
 }
 
 }  // namespace evenlift::view

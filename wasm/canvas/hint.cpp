@@ -109,9 +109,7 @@ std::string hint_of_vertex(const AppState& state, std::size_t i) {
 }
 
 bool on_centroid(const AppState& state) {
-  const std::optional<Vec2> centroid = own_centroid(state);
-  return centroid &&
-         state.work.document().centre_of_mass == rounded_finely(state.view.camera, *centroid);
+  return state.view.held.kind == Pick::Kind::centre && !state.work.document().centre_of_mass;
 }
 
 std::string hint_of_weight(const AppState& state, std::size_t i) {
@@ -252,7 +250,7 @@ std::string hint(const AppState& state) {
   if (state.view.tool == Tool::robot)
     return "Click the outline or the object to add a robot · drag a robot to move it · Esc ends it";
   if (state.view.tool == Tool::weight)
-    return "Click to put a weight there · drag a weight to move it · type its weight above · Esc ends it";
+    return "Click to put cargo there · drag it to move it · type its weight above · Esc ends it";
   const bool holds =
       state.view.held.kind != Pick::Kind::none && state.view.held.kind != Pick::Kind::ground;
   const Pick& at = holds ? state.view.held : state.view.hover;

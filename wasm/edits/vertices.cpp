@@ -229,7 +229,7 @@ void take_tool(AppState& state, Tool tool) {
     announce(state, "Click the outline or the object to add a robot there; Esc ends it.");
   if (tool == Tool::hole)
     announce(state, "Draw a hole in the object, vertex by vertex; Esc ends it.");
-  if (tool == Tool::weight) announce(state, "Click the object to put a weight there; Esc ends it.");
+  if (tool == Tool::weight) announce(state, "Click the object to put cargo there; Esc ends it.");
   if (tool == Tool::mark)
     announce(
         state,

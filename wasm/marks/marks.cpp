@@ -154,7 +154,7 @@ void draw_push(const Painter& painter, const CanvasView& view) {
   painter.list().AddCircle(at, 5, colour.packed(), 20, 2);
   const std::string text =
       safe ? "A press down here does not tip it"
-           : say("Tips under a press down of {force}",
+           : say("A press down of {force} here tips it",
                  {with_weight_unit(amount(force, placement.weight(), Toward::down),
                                    shown(view.state).units)});
   // On the box, which has the panel's colour, the lifting base's dark green would be illegible.

@@ -64,6 +64,9 @@ void draw_halo(const Painter& painter, const CanvasView& view);
 
 // --- Arrows for free motions that the picture's regions do not show.
 
+// From the centre of mass, in pixels; only if a translation is free.
+Segment slide_arrow(const CanvasView& view);
+
 // Draws an arrow from the centre of mass in a direction in which the object can slide, with a label
 // if there is room.
 void draw_slide(const Painter& painter, const CanvasView& view, Occupied* occupied);
@@ -150,6 +153,8 @@ std::string capitalised(std::string text);
 
 // --- Numbers in the picture: the robots' loads, and the coverage.
 
+// The place of the coverage's number, in pixels; nothing if it is hidden or has no room.
+std::optional<Rect> coverage_box(const CanvasView& view);
 void draw_coverage(const Painter& painter, const CanvasView& view);
 
 // The places that labels avoid: robots, the centre of mass, cargo with its labels, vertices that

@@ -365,13 +365,18 @@ void draw_far_region(const Painter& painter, const CanvasView& view, const Point
 
 }  // namespace
 
+Segment slide_arrow(const CanvasView& view) {
+  const Vec2 from = view.camera.to_screen(view.placement->centre_of_mass),
+             along = *view.placement->closure.translation, on_screen(along.x, -along.y);
+  return {from + on_screen * 16, from + on_screen * 62};
+}
+
 void draw_slide(const Painter& painter, const CanvasView& view, Occupied* occupied) {
   const Closure& closure = view.placement->closure;
   if (!closure.translation_free || !closure.translation || view.placement->teams.empty()) return;
   if (!is_about_hold(view.state)) return;
-  const Vec2 from = view.camera.to_screen(view.placement->centre_of_mass);
-  const Vec2 along(closure.translation->x, -closure.translation->y);
-  const Vec2 tail = from + along * 16, head = from + along * 62;
+  const auto [tail, head] = slide_arrow(view);
+  const Vec2 along = (head - tail) / length(head - tail);
   painter.arrow(tail, head, view.theme.object, 7);
   painter.arrow(tail, head, view.theme.amber_on_object, 3);
   if (!occupied) return;

@@ -188,20 +188,6 @@ Rect free_window(const CanvasView& view) {
           uncovered.bottom - 4};
 }
 
-// In pixels; nothing if the text is hidden or has no room.
-std::optional<Rect> coverage_box(const CanvasView& view) {
-  const CoveragePlace& place = view.scene.coverage;
-  const bool wanted = shown(view.state).overlays.lifting_base && view.placement->loads;
-  if (!wanted || place.room * view.camera.scale < 24) return std::nullopt;
-  const Vec2 at = view.camera.to_screen(place.at);
-  const ImVec2 text = text_size(Face::verdict, percentage(view.placement->coverage));
-  const Rect box{at.x - text.x / 2, at.y - text.y / 2, at.x + text.x / 2, at.y + text.y / 2};
-  const Rect window = free_window(view);
-  const bool seen =
-      window.contains({box.left, box.top}) && window.contains({box.right, box.bottom});
-  return seen ? std::optional(box) : std::nullopt;
-}
-
 Rect about(const Vec2& middle, double reach) {
   return {middle.x - reach, middle.y - reach, middle.x + reach, middle.y + reach};
 }
@@ -223,6 +209,19 @@ std::optional<Chord> pointed_chord(const CanvasView& view) {
 }
 
 }  // namespace
+
+std::optional<Rect> coverage_box(const CanvasView& view) {
+  const CoveragePlace& place = view.scene.coverage;
+  const bool wanted = shown(view.state).overlays.lifting_base && view.placement->loads;
+  if (!wanted || place.room * view.camera.scale < 24) return std::nullopt;
+  const Vec2 at = view.camera.to_screen(place.at);
+  const ImVec2 text = text_size(Face::verdict, percentage(view.placement->coverage));
+  const Rect box{at.x - text.x / 2, at.y - text.y / 2, at.x + text.x / 2, at.y + text.y / 2};
+  const Rect window = free_window(view);
+  const bool seen =
+      window.contains({box.left, box.top}) && window.contains({box.right, box.bottom});
+  return seen ? std::optional(box) : std::nullopt;
+}
 
 void draw_coverage(const Painter& painter, const CanvasView& view) {
   if (const std::optional<Rect> box = coverage_box(view))

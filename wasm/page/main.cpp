@@ -296,10 +296,11 @@ EMSCRIPTEN_KEEPALIVE void page_press(double time, int clicks) {
   page.press_clicks = clicks;
 }
 
-// A finger has rested in one place.
+// A finger or the pointer has rested in one place.
 EMSCRIPTEN_KEEPALIVE void page_ask() {
   catch_up();
   page.input.ask();
+  if (!page.input.touch() && ImGui::GetIO().WantCaptureMouse) return;  // tips need no rest
   ask_for_frames(frames_after_input);
 }
 

@@ -396,8 +396,9 @@ EMSCRIPTEN_KEEPALIVE const char* page_scale_backdrop(double width) {
 // Presses go to the picture while its scale is being set.
 EMSCRIPTEN_KEEPALIVE void page_measuring(int on) { carry_out({SetMeasuring{on != 0}}); }
 
-EMSCRIPTEN_KEEPALIVE void page_notice(const char* text, int problem) {
-  carry_out({ShowNotice{{problem ? Notice::Kind::problem : Notice::Kind::info, text}}});
+// `kind` is a Notice::Kind.
+EMSCRIPTEN_KEEPALIVE void page_notice(const char* text, int kind) {
+  carry_out({ShowNotice{{static_cast<Notice::Kind>(kind), text}}});
 }
 
 EMSCRIPTEN_KEEPALIVE void page_end_notice() { carry_out({EndNotice{}}); }

@@ -250,7 +250,7 @@ void SdlInput::deal_with(const Event& event) {
   }
   touch_ = event.touch;
   // Not at the release itself, which must press nothing.
-  if (event.what == What::leave || event.what == What::down) asks_ = false;
+  if (event.what == What::leave || event.what == What::down || !event.touch) asks_ = false;
   at_ = event.what == What::leave ? Vec2(-1e6, -1e6) : event.at;
   if (event.what == What::down || event.what == What::up) {
     down_ = event.what == What::down;

@@ -55,9 +55,9 @@ class SdlInput {
   // Takes the pinch of a trackpad, which browsers report as a wheel.
   void pinch(const Vec2& at, double factor);
 
-  // Notes that the finger on the screen now asks about the part beneath it. The question ends when
-  // the finger is lifted or a second finger comes down.
-  void ask() { asks_ = touch_ && down_ && !two_fingers_; }
+  // Notes that the finger on the screen, or the pointer that rests, now asks about the part beneath
+  // it. The question ends when the finger is lifted, a second finger comes down or the pointer moves.
+  void ask() { asks_ = touch_ ? down_ && !two_fingers_ : !down_; }
 
   // The pointer in this pass, in the same pixels as in feed(). Call it after ImGui::NewFrame().
   Pointer pointer(double zoom);

@@ -80,7 +80,7 @@ void run(const Ui& ui, ActionId id) { action(id).run(ui.state, ui.commands); }
 
 // Holes and weights need an object that is not refused.
 constexpr std::pair<const char*, Tool> drawn[] = {
-    {"Shape", Tool::draw}, {"Hole", Tool::hole}, {"Weight", Tool::weight}};
+    {"Shape", Tool::draw}, {"Hole", Tool::hole}, {"Cargo", Tool::weight}};
 
 bool can_choose_drawn(const Ui& ui) {
   return ui.state.derived().placement && !ui.state.derived().refusal;

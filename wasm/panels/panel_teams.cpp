@@ -173,6 +173,21 @@ namespace {
 
 constexpr std::size_t most_rows = 60;  // the JSON has more
 
+float row_height(const Ui& ui) { return std::max(28.0f, ui.control() - 8); }
+
+// The table's height is constant, so that nothing below moves: it has room for four teams or, in a
+// window 900 pixels high, for six robots. A button shows more.
+std::size_t room_of_rows(const Ui& ui) {
+  constexpr double of_six = 868;
+  const bool six = is_one_team(settings(ui.state).method) &&
+                   (!ui.layout.wide || ui.layout.panel.height() >= of_six);
+  return six ? 6 : 4;
+}
+
+std::size_t shown_rows(const Ui& ui, std::size_t count) {
+  return std::min(count, ui.state.view.all_loads ? most_rows : room_of_rows(ui));
+}
+
 // A row: a disc at the left, bars to both sides of the middle, two numbers at the right.
 struct Columns {
   float left, middle, half, span, ratio;
@@ -282,7 +297,7 @@ std::string team_row_in_words(const Ui& ui, std::size_t index) {
 bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
   const Placement& placement = *ui.state.derived().placement;
   const Team& team = placement.teams[index];
-  const float height = std::max(28.0f, ui.control() - 8);
+  const float height = row_height(ui);
   const std::string name = "Team " + std::to_string(index + 1);
   const auto [low, high, pressed, hovered] =
       pressable_row(ui, name.c_str(), team_row_in_words(ui, index), c.ratio - c.left, height);
@@ -319,7 +334,8 @@ void draw_even_share(const Ui& ui, const Columns& c, float top, float bottom) {
   const std::string text =
       say("even share {load}", {load_in_words(mean, greatest, shown(ui.state).units)});
   const ImVec2 size = text_size(Face::label, text);
-  draw_text(list, Face::label, ImVec2(c.middle - size.x / 2, bottom + 3), ui.theme.accent, text);
+  draw_text(list, Face::label, ImVec2(c.middle - size.x / 2, bottom + 3), ui.theme.second_text,
+            text);
 }
 
 void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const TeamInWords& words) {
@@ -331,7 +347,7 @@ void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const Tea
       pressable_row(ui, name.c_str(),
                     say("Robot {robot}: at {place}, load {load} {unit}. Why here?",
                         {number, words.at[index], load_text(ui, index), weight_unit(ui.state)}),
-                    c.ratio - c.left, std::max(28.0f, ui.control() - 8));
+                    c.ratio - c.left, row_height(ui));
   if (pressed) ui.push(Explain{pick});
   const Pick& over = ui.state.view.hover;
   const bool named = over.kind == pick.kind && over.end == pick.end && !over.second;
@@ -349,6 +365,32 @@ void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const Tea
   if (hovered) ui.row = pick;
 }
 
+// The place of the rows that are missing, and the line below the table, which may have a button at
+// its right.
+void end_rows(const Ui& ui, std::size_t count) {
+  const std::size_t room = room_of_rows(ui), shown = shown_rows(ui, count);
+  const auto missing = static_cast<float>(room - std::min(shown, room));
+  const float height = ui.state.session.screen.finger ? ui.control() : 22;
+  ImGui::Dummy(ImVec2(1, missing * (row_height(ui) + 2)));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float right = at.x + ImGui::GetContentRegionAvail().x;
+  ImGui::Dummy(ImVec2(1, height));
+  if (count <= room) return;
+  const bool all = ui.state.view.all_loads;
+  const std::string label = all ? say("Fewer rows") : say("All {number} rows", {count});
+  const ImVec2 text = text_size(Face::label, label);
+  const ImVec2 below = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(right - text.x - 8, at.y));
+  const PressableRow button = pressable_row(ui, "all loads", label, text.x + 8, height);
+  ImGui::SetCursorScreenPos(below);
+  draw_text(*ImGui::GetWindowDrawList(), Face::label,
+            ImVec2(right - text.x, at.y + (height - text.y) / 2), ui.theme.accent, label);
+  if (button.pressed) ui.push(SetSectionOpen{&View::all_loads, !all});
+  if (all && count > most_rows)
+    draw_text(*ImGui::GetWindowDrawList(), Face::label, ImVec2(at.x, at.y + (height - text.y) / 2),
+              ui.theme.second_text, say("and {number} more", {count - most_rows}));
+}
+
 void draw_robots(const Ui& ui, const Columns& c) {
   const Placement& placement = *ui.state.derived().placement;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -358,33 +400,33 @@ void draw_robots(const Ui& ui, const Columns& c) {
                 say("Load in {unit}", {weight_unit(ui.state)}));
   ImGui::Dummy(ImVec2(1, line_height(Face::label)));
   const TeamInWords words = team_in_words(placement, 0, place_decimals(placement));
-  for (std::size_t i = 0; i < words.at.size(); ++i) draw_robot_row(ui, c, i, words);
+  for (std::size_t i = 0; i < shown_rows(ui, words.at.size()); ++i) draw_robot_row(ui, c, i, words);
+  end_rows(ui, words.at.size());
 }
 
 }  // namespace
 
 void draw_teams(const Ui& ui) {
-  if (!ui.state.derived().placement || ui.state.derived().placement->teams.empty()) {
-    text_line(Face::label, ui.theme.second_text, "No robots to list.");
-    return;
-  }
-  const std::size_t count = ui.state.derived().placement->teams.size();
-  const Columns c = columns(ui, ImGui::GetCursorScreenPos().x, ImGui::GetContentRegionAvail().x);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 2));
-  if (is_one_team(ui.state.derived().placement->settings.method)) {
+  const auto& placement = ui.state.derived().placement;
+  if (!placement || placement->teams.empty()) {
+    text_line(Face::label, ui.theme.second_text, "No robots to list.");
+    end_rows(ui, 0);
+    return ImGui::PopStyleVar();
+  }
+  const std::size_t count = placement->teams.size();
+  const Columns c = columns(ui, ImGui::GetCursorScreenPos().x, ImGui::GetContentRegionAvail().x);
+  if (is_one_team(placement->settings.method)) {
     draw_robots(ui, c);
     return ImGui::PopStyleVar();
   }
   draw_heading(ui, c);
   const float top = ImGui::GetCursorScreenPos().y;
-  for (std::size_t i = 0; i < std::min(count, most_rows); ++i) {
+  for (std::size_t i = 0; i < shown_rows(ui, count); ++i) {
     if (draw_row(ui, c, i)) ui.row = {Pick::Kind::chord, i, 0, Vec2(0, 0)};
   }
   draw_even_share(ui, c, top, ImGui::GetItemRectMax().y + 2);
-  ImGui::Dummy(ImVec2(1, 20));
-  if (count > most_rows) {
-    text_line(Face::label, ui.theme.second_text, say("and {number} more", {count - most_rows}));
-  }
+  end_rows(ui, count);
   ImGui::PopStyleVar();
 }
 

@@ -35,24 +35,17 @@ Sign sign_of(const Theme& theme, Mood mood) {
   return {Icon::draw, theme.accent};
 }
 
-// For the headline and the rest, the largest pair that fits.
-struct Sizes {
-  Face headline, rest;
-};
-constexpr Sizes sizes[] = {{Face::verdict, Face::text},
-                           {Face::verdict, Face::label},
-                           {Face::strong, Face::text},
-                           {Face::strong, Face::label}};
-
-// The height is the same for all results: three lines each for headline and rest beside the
-// drawing, two and three in a sheet, two for the headline alone.
+// The verdict has three lines, whatever the result: up to two of the headline, and what follows; and
+// all of it at a press. The headline alone has two.
 constexpr float after_sign = 32, below_headline = 4;
-constexpr float beside_drawing = 152, in_sheet = 124, headline_alone = 64;
+constexpr std::size_t lines_of_verdict = 3, lines_of_headline = 2;
+
+float line_of_verdict() { return line_height(Face::text); }
 
 void draw_sign(const Ui& ui, Mood mood, ImVec2 middle) {
   const Sign sign = sign_of(ui.theme, mood);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddCircleFilled(middle, 11, sign.disc.packed(), 32);
+  list.AddCircleFilled(middle, 10, sign.disc.packed(), 32);
   // A tick means that the goal is reached. While a robot fails, a good mood is a plain disc, as in
   // the row below.
   if (!failing(ui.state) || mood != Mood::good)
@@ -71,7 +64,7 @@ void draw_offer(const Ui& ui) {
 }
 
 void draw_mood(const Ui& ui, const Verdict& v) {
-  const ImVec2 at = ImGui::GetCursorScreenPos(), middle(at.x + 11, at.y + 14);
+  const ImVec2 at = ImGui::GetCursorScreenPos(), middle(at.x + 11, at.y + 11);
   draw_sign(ui, v.mood, middle);
   if (v.searching)
     ImGui::GetWindowDrawList()->AddCircle(middle, 14, ui.theme.accent.packed(), 32, 1.5f);
@@ -84,35 +77,32 @@ void draw_presumed(const Ui& ui, ImVec2 low, ImVec2 high) {
   if (!text.empty()) tip(ui, text.c_str());
 }
 
-void draw_in(const Ui& ui, float height, const Verdict& v, const std::string& rest) {
+// Draws at most `most` lines; returns whether there are more.
+bool draw_in(const Ui& ui, const Verdict& v, const std::string& rest, std::size_t most) {
   draw_mood(ui, v);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   // Right of the headline is the side panel's fold button.
   const float beside = width - after_sign - (ui.layout.wide ? ui.control() - 8 : 0);
-  const auto height_of_headline = [&](Face face) {
-    return height_of(face, broken_lines(face, v.headline, beside)) + below_headline;
-  };
-  const auto fits = [&](const Sizes& s) {
-    return height_of_headline(s.headline) + height_of(s.rest, broken_lines(s.rest, rest, width)) <=
-           height;
-  };
-  const auto* const found = std::find_if(std::begin(sizes), std::end(sizes), fits);
-  const Sizes& s = found == std::end(sizes) ? *std::prev(found) : *found;
-  const auto lines = [](float room, Face face) {
-    return static_cast<std::size_t>(std::max(room, 0.0f) / line_height(face));
-  };
-
+  const std::size_t headline = broken_lines(Face::strong, v.headline, beside).size(),
+                    of_headline =
+                        most > lines_of_verdict ? headline : std::min(headline, lines_of_headline);
+  const std::size_t of_rest = broken_lines(Face::text, rest, width).size();
+  const std::size_t room = std::min(of_rest, most - of_headline);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   ImGui::SetCursorScreenPos(ImVec2(at.x + after_sign, at.y));
-  const float high = std::min(height_of_headline(s.headline), height);
-  text_block_of(s.headline, ui.theme.text, v.headline, beside, lines(high, s.headline));
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + high));
-  text_block_of(s.rest, ui.theme.second_text, rest, width, lines(height - high, s.rest));
+  text_block_of(Face::strong, ui.theme.text, v.headline, beside, of_headline);
+  ImGui::SetCursorScreenPos(
+      ImVec2(at.x, at.y + line_of_verdict() * static_cast<float>(of_headline) + below_headline));
+  text_block_of(Face::text, ui.theme.second_text, rest, width, room);
+  const bool is_cut = of_rest > room || headline > of_headline;
+  const std::size_t lines = std::max(of_headline + room, std::min(most, lines_of_verdict));
+  const float height = line_of_verdict() * static_cast<float>(lines) + below_headline;
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
   ImGui::Dummy(ImVec2(width, 0));
   ImGui::PopStyleVar();
   draw_presumed(ui, at, ImVec2(at.x + after_sign + beside, at.y + height));
+  return is_cut;
 }
 
 void draw_failures_below(const Ui& ui) {
@@ -128,24 +118,43 @@ bool has_offer(const Ui& ui, const Verdict& v) {
          (v.mood == Mood::not_quite || v.mood == Mood::falls);
 }
 
+// A press on the words shows all of them: beside the drawing at their place, on a phone in the sheet.
+void draw_more(const Ui& ui, ImVec2 low, bool whole) {
+  const ImVec2 below = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x - (ui.layout.wide ? ui.control() : 0);
+  ImGui::SetCursorScreenPos(low);
+  const PressableRow row =
+      pressable_row(ui, "whole verdict", whole ? "Less of the verdict" : "All of the verdict",
+                    width, below.y - low.y);
+  ImGui::SetCursorScreenPos(below);
+  if (!row.pressed) return;
+  if (ui.layout.wide)
+    ui.push(SetSectionOpen{&View::whole_verdict, !whole});
+  else
+    ui.push(SetSheet{has_half_sheet(ui.state) ? Sheet::half : Sheet::full});
+}
+
 }  // namespace
 
-void draw_headline(const Ui& ui) { draw_in(ui, headline_alone, verdict(ui.state), {}); }
+void draw_headline(const Ui& ui) {
+  draw_in(ui, verdict(ui.state, Words::in_panel), {}, lines_of_headline);
+}
 
 void draw_verdict_words(const Ui& ui) {
-  const Verdict v = verdict(ui.state);
-  const float height = ui.layout.wide ? beside_drawing : in_sheet;
-  const bool offers = has_offer(ui, v);
-  const float words = height - (offers ? ui.control() + 4 : 0);
-  draw_in(ui, words, v, v.detail);
-  if (!offers) return;
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + height - words);
-  draw_offer(ui);
+  constexpr std::size_t all = 99;
+  const Verdict v = verdict(ui.state, Words::in_panel);
+  const bool whole = ui.layout.wide && ui.state.view.whole_verdict;
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const bool is_cut = draw_in(ui, v, v.detail, whole ? all : lines_of_verdict);
+  if (is_cut || whole) draw_more(ui, low, whole);
+  // Its place stays free, so that nothing below moves.
+  ImGui::Dummy(ImVec2(1, ui.control() + 6));
+  if (has_offer(ui, v)) draw_offer(ui);
 }
 
 void draw_verdict_details(const Ui& ui) {
   constexpr std::size_t usual = 3;  // lines
-  const Verdict v = verdict(ui.state);
+  const Verdict v = verdict(ui.state, Words::in_panel);
   const std::string& rest = v.detail;
   const float width = ImGui::GetContentRegionAvail().x;
   const std::size_t lines = broken_lines(Face::text, rest, width).size();

@@ -17,11 +17,21 @@ bool compares(const AppState& s) {
   return s.derived().second.has_value() && s.work.second_method.has_value();
 }
 
-// Settings are above results, so that no control moves when a result changes.
+bool has_score(const AppState& s) {
+  return s.derived().placement && settings(s).method == Method::given && !s.view.challenge;
+}
+
+// The answer, three controls, and the loads; then all else that can be set. The loads' height depends
+// on settings alone, so that no control moves when a result changes.
 constexpr Panel side_panel[] = {
-    {"verdict", draw_verdict, false},   {"settings", draw_settings, false},
-    {"overlays", draw_overlays, false}, {"comparison", draw_comparison, true, compares},
-    {"teams", draw_teams, true},        {"numbers", draw_numbers, true},
+    {"verdict", draw_verdict, false},
+    {"settings", draw_controls, false},
+    {"weighing", draw_weighing, true, is_weighed},
+    {"comparison", draw_comparison, true, compares},
+    {"teams", draw_teams, true},
+    {"score", draw_score, true, has_score},
+    {"drawers", draw_drawers, false},
+    {"numbers", draw_numbers, true},
 };
 bool ranks(const AppState& s) {
   const auto& scores = s.view.walkthrough.detail.scores;
@@ -35,7 +45,8 @@ constexpr Panel walkthrough_panel[] = {
     {"forces", draw_heat_key, true, shows_forces},
     {"ranking", draw_walkthrough_ranking, true, ranks},
     {"code", draw_walkthrough_code, true, is_formal},
-    {"settings", draw_settings, false},
+    {"settings", draw_controls, false},
+    {"drawers", draw_drawers, false},
     {"history", draw_walkthrough_history, true, has_history},
 };
 
@@ -179,8 +190,9 @@ void draw_step_and_row(const Ui& ui) {
 // would cover it.
 void draw_row_below_verdict(const Ui& ui) {
   if (vertex_is_on_sheet(ui)) return draw_vertex_buttons(ui);
-  if (!draws(ui.state.view.tool) || ui.state.view.drawing.points.empty())
-    return draw_teams_stepper(ui);
+  if (!draws(ui.state.view.tool)) return draw_teams_stepper(ui);
+  // The row keeps its place before the first vertex.
+  if (ui.state.view.drawing.points.empty()) return ImGui::Dummy(ImVec2(1, ui.control()));
   const float labels = text_size(Face::label, "Length").x + text_size(Face::label, "Angle").x;
   const float width = (ImGui::GetContentRegionAvail().x - labels - 20) / 2;
   draw_edge_fields(ui, width, width);

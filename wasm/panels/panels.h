@@ -1,7 +1,6 @@
 // The panels, and what their rows share.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "actions/actions.h"
@@ -21,34 +20,26 @@ void named_action_button(const Ui& ui, ActionId id, float size);
 // A row with the name, and with the key if there may be a keyboard.
 void action_row(const Ui& ui, ActionId id);
 
-// --- Panel rows that step a setting up and down, or take a typed value.
+// --- What rows of drawers share (drawers.h).
 
-struct LengthRow {
-  Setting setting;
-  const char *label, *about, *spoken;
-  // For a setting with a default: its member, and the label of the button that restores the
-  // default.
-  std::optional<double> Settings::*member = nullptr;
-  const char* usual = nullptr;
-};
-void draw_length(const Ui& ui, const LengthRow& row);
+// The name of a setting's control for scripts, such as "robot radius".
+std::string id_of(Setting setting);
 
-// The row of a length or a weight that may have no value.
-struct OptionalRow {
-  Setting setting;
-  const char *label, *about;
-  std::string spoken;
-  const char* without;           // the text shown without a value
-  const char *unset_id, *unset;  // the button that removes the value
-};
-// Returns whether the setting has a value.
-bool draw_optional(const Ui& ui, const OptionalRow& row);
+// Gives the settings or what is shown, whichever of the two has this setting.
+void push_settings(const Ui& ui, Setting setting, const Document& changed);
 
 // size_of_object() returns the diagonal of the polygon's bounding box, or 100 before the first
 // placement. first_length() returns the length to which a step up from 0 leads: a power of ten,
 // from 1/500 to 1/50 of the size.
 double size_of_object(const AppState& state);
 double first_length(double size_of_object);
+
+// The value after a step up or down that suits its size: 120 changes by tens, 12 by ones.
+double stepped(double value, int by);
+
+// The placement that tells W and C by the robots' readings; null without readings.
+const Placement* weighed(const AppState& state);
+bool is_weighed(const AppState& state);
 
 // --- The panels, in one table.
 
@@ -70,27 +61,16 @@ void draw_verdict_details(const Ui& ui);  // its other sentences, and what remai
 // In an <iframe> without a lesson: the result, and the link to the page.
 void draw_embedded_verdict(const Ui& ui);
 void draw_failures(const Ui& ui);  // below the verdict, of constant height
-void draw_settings(const Ui& ui);
+void draw_controls(const Ui& ui);  // method, number of robots, weight
 void draw_teams_stepper(const Ui& ui);
-void draw_capacity(const Ui& ui);
-void draw_goal(const Ui& ui);  // shown if the method has a goal
-void draw_robot_size(const Ui& ui);
-// draw_carrying_button() opens and closes the rows for slopes, uneven ground and a further load.
-// draw_carrying() draws these rows below the button, whose top is at `head`.
-void draw_carrying_button(const Ui& ui, float width);
-void draw_carrying(const Ui& ui, float head);
-void draw_more_button(const Ui& ui, float width);
-void draw_more(const Ui& ui, float head);  // seldom-used settings
-void draw_compare(const Ui& ui);
+void draw_drawers(const Ui& ui);
+void draw_weighing(const Ui& ui);    // what readings tell
+void draw_score(const Ui& ui);       // of robots placed by hand
 void draw_comparison(const Ui& ui);  // with a second method
 // Draws the heat map's colours, with the forces at their borders.
 void draw_heat_key(const Ui& ui);
-void draw_overlays(const Ui& ui);
 void draw_teams(const Ui& ui);
 void draw_numbers(const Ui& ui);
-
-// The value after a step up or down that suits its size: 120 changes by tens, 12 by ones.
-double stepped(double value, int by);
 
 // The sections of the walkthrough.
 void draw_walkthrough_step(const Ui& ui);

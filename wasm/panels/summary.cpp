@@ -33,20 +33,28 @@ Mood mood_of(const Judgement& judgement, const Placement& placement) {
   return bad ? Mood::falls : Mood::not_quite;
 }
 
-Verdict of_placement(const AppState& state) {
+Verdict of_placement(const AppState& state, Words words) {
   const Placement& placement = *state.derived().placement;
   const Reported now = whole(state);
-  const std::string loads = loads_in_words(now), news = worst_news_in_words(now),
-                    if_uneven = if_uneven_in_words(now);
-  std::string detail = news.empty() ? std::string() : loads + " ";
-  for (const std::string& left_out : left_out_in_words(placement)) detail += left_out + " ";
-  if (!if_uneven.empty()) detail += if_uneven + " ";
-  detail += detail_in_words(now);
-  for (const std::string& misfit : misfits_in_words(now)) detail += " " + misfit;
-  if (const std::string cut = cut_short_in_words(placement); !cut.empty()) detail += " " + cut;
+  const bool brief = words == Words::in_panel && placement.settings.cargo.empty();
+  const std::string loads = loads_in_words(now, brief ? TellWeight::no : TellWeight::yes),
+                    news = worst_news_in_words(now), if_uneven = if_uneven_in_words(now);
+  std::vector<std::string> detail;
+  const auto add = [&](const std::string& sentence) {
+    if (!sentence.empty()) detail.push_back(sentence);
+  };
+  if (!news.empty()) add(loads);
+  for (const std::string& left_out : left_out_in_words(placement)) add(left_out);
+  if (words == Words::of_program) add(if_uneven);
+  add(detail_in_words(now));
+  if (words == Words::in_panel) add(if_uneven);
+  for (const std::string& misfit : misfits_in_words(now)) add(misfit);
+  add(cut_short_in_words(placement));
   if (!placement.teams.empty() && !placement.goal_reached)
-    detail += " " + say("So the goal to hold is not reached.");
-  return {mood_of(judge(now), placement), news.empty() ? loads : news, std::move(detail)};
+    add(say("So the goal to hold is not reached."));
+  std::string text;
+  for (const std::string& sentence : detail) text += (text.empty() ? "" : " ") + sentence;
+  return {mood_of(judge(now), placement), news.empty() ? loads : news, std::move(text)};
 }
 
 Verdict of_failure(const AppState& state, const Failure& failure) {
@@ -68,7 +76,7 @@ Verdict of_measuring(const AppState& state) {
 }
 
 struct DrawingWords {
-  const char *begin, *few, *tap, *click, *refused, *closes;
+  const char *begin, *few, *tap, *click, *by_keys, *refused, *closes;
 };
 
 const DrawingWords& drawing_words(const AppState& state) {
@@ -76,12 +84,14 @@ const DrawingWords& drawing_words(const AppState& state) {
                                       "A shape needs at least three.",
                                       "Tap the first vertex to close the shape.",
                                       "Click the first vertex to close the shape.",
+                                      "Enter on the first vertex closes the shape.",
                                       "The shape cannot be closed: {reason}.",
                                       "On the first vertex: Enter closes the shape."},
       hole{"Draw a hole.",
            "A hole needs at least three.",
            "Tap the first vertex to close the hole.",
            "Click the first vertex to close the hole.",
+           "Enter on the first vertex closes the hole.",
            "The hole cannot be closed: {reason}.",
            "On the first vertex: Enter closes the hole."};
   return state.view.tool == Tool::hole ? hole : shape;
@@ -93,7 +103,7 @@ Verdict of_drawing(const AppState& state) {
   const DrawingWords& words = drawing_words(state);
   if (n == 0)
     return {Mood::drawing, say(words.begin),
-            say(finger ? "Tap to place its first vertex, or use the arrow keys and Enter."
+            say(finger ? "Tap to place its first vertex."
                        : "Click to place its first vertex, or use the arrow keys and Enter.")};
   const auto crossed = crossings(state.view.drawing.points);
   return {Mood::drawing, say("{vertices} so far.", {count_of(n, "vertex", "vertices")}),
@@ -104,7 +114,9 @@ Verdict of_drawing(const AppState& state) {
           : state.view.drawing.refusal
               ? say("It cannot be closed yet: {reason}. Move a vertex, or remove the last one.",
                     {sentence(*state.view.drawing.refusal)})
-              : say(finger ? words.tap : words.click)};
+              : say(state.view.drawing.by_keys ? words.by_keys
+                    : finger                   ? words.tap
+                                               : words.click)};
 }
 
 std::string robots_in_words(const Placement& placement) {
@@ -231,7 +243,7 @@ std::string failure_words(const AppState& state, std::size_t robot) {
                           fails ? facts.failure->rest : facts.report.failures[robot]);
 }
 
-Verdict verdict(const AppState& state) {
+Verdict verdict(const AppState& state, Words words) {
   if (state.view.measuring) return of_measuring(state);
   if (draws(state.view.tool)) return of_drawing(state);
   if (state.derived().refusal) {
@@ -240,7 +252,7 @@ Verdict verdict(const AppState& state) {
   }
   if (!state.derived().placement) return {Mood::refused, say("Nothing is open."), ""};
   if (const Failure* failure = failing(state)) return of_failure(state, *failure);
-  Verdict v = of_placement(state);
+  Verdict v = of_placement(state, words);
   // In a task, what it asks for decides.
   if (state.derived().attempt && state.derived().attempt->kept) v.mood = Mood::good;
   v.searching = state.derived().search.under_way && !state.derived().placement->search_ended;

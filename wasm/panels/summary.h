@@ -17,7 +17,10 @@ struct Verdict {
   bool searching = false;  // balanced robots may change
 };
 
-Verdict verdict(const AppState& state);
+// In the panel, which has the weight, the headline omits it (but not that of cargo), and the detail
+// begins with what is amiss. Elsewhere the words are those of the program.
+enum class Words : std::uint8_t { in_panel, of_program };
+Verdict verdict(const AppState& state, Words words = Words::of_program);
 
 // The verdict's assumptions about the robots; empty if the verdict is not about placed robots.
 std::string presumed_in_words(const AppState& state);

@@ -236,24 +236,34 @@ void draw_notice(const Ui& ui) {
   const Rect& seat = ui.layout.notice;
   // A long notice in large letters would cover half of a phone's drawing.
   const Face face = ui.layout.wide ? Face::text : Face::label;
-  const float text =
-      std::min(text_size(face, notice.text).x, static_cast<float>(seat.width()) - 84);
+  // The button is beside the words if there is room: a second row would lift the picture.
+  const float button = notice.undo.empty() ? 0 : text_button_width(notice.undo.c_str()) + 8,
+              room = static_cast<float>(seat.width()) - 84, line = text_size(face, notice.text).x;
+  const bool beside = button > 0 && ui.layout.wide && line + button <= room;
+  const float text = std::min(line + (beside ? button : 0), room);
   const double width = static_cast<double>(text) + 84, x = seat.middle().x - width / 2;
   begin_card(ui, "notice", {x, seat.top, x + width, seat.bottom},
              {.at_bottom = true, .padding = 10});
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool hint = notice.kind == Notice::Kind::hint;
   list.AddCircleFilled(ImVec2(at.x + 11, at.y + 12), 11,
-                       (problem ? ui.theme.amber : ui.theme.hull_outline).packed(), 24);
-  draw_icon(list, problem ? Icon::warning : Icon::check, ImVec2(at.x + 11, at.y + 12), 15,
-            ui.theme.panel);
+                       (problem ? ui.theme.amber
+                        : hint  ? ui.theme.accent
+                                : ui.theme.hull_outline)
+                           .packed(),
+                       24);
+  draw_icon(list,
+            problem ? Icon::warning
+            : hint  ? Icon::help
+                    : Icon::check,
+            ImVec2(at.x + 11, at.y + 12), 15, ui.theme.panel);
   ImGui::SetCursorScreenPos(ImVec2(at.x + 32, at.y + 3));
   text_block(face, ui.theme.text, notice.text, 30);
   if (!notice.undo.empty()) {
-    ImGui::SetCursorScreenPos(ImVec2(at.x + 32, ImGui::GetCursorScreenPos().y + 4));
-    if (flat_button(ui, "undo offered", notice.undo.c_str(),
-                    text_button_width(notice.undo.c_str())))
-      ui.push(Undo{});
+    ImGui::SetCursorScreenPos(beside ? ImVec2(at.x + 32 + line + 8, at.y + 12 - ui.control() / 2)
+                                     : ImVec2(at.x + 32, ImGui::GetCursorScreenPos().y + 4));
+    if (flat_button(ui, "undo offered", notice.undo.c_str(), button - 8)) ui.push(Undo{});
   }
   const ImVec2 after = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos(ImVec2(at.x + static_cast<float>(width) - 20 - 24, at.y));
@@ -296,6 +306,28 @@ struct CardPlace {
   bool at_bottom;      // at the bottom of the rectangle
   bool fills = false;  // as high as the rectangle
 };
+
+constexpr double height_of_card = 332;  // usually
+
+// How many robots, and C, a card of usual height covers there. O(robots).
+std::size_t covered_robots(const Ui& ui, Rect card, bool at_bottom) {
+  constexpr double robot = 16;
+  if (at_bottom)
+    card.top = std::max(card.top, card.bottom - height_of_card);
+  else
+    card.bottom = std::min(card.bottom, card.top + height_of_card);
+  const Placement& placement = *ui.state.derived().placement;
+  const auto covers = [&](const Vec2& world) -> std::size_t {
+    const Vec2 at = ui.state.view.camera.to_screen(world);
+    return at.x > card.left - robot && at.x < card.right + robot && at.y > card.top - robot &&
+           at.y < card.bottom + robot;
+  };
+  std::size_t covered = covers(placement.centre_of_mass);
+  for (const LiftingPoint& point : lifting_points(placement.teams))
+    covered += covers(point.position);
+  return covered;
+}
+
 CardPlace place_of(const Ui& ui, const Vec2& spot) {
   const Rect& free = ui.layout.free;
   const double margin = ui.layout.margin, left = free.left + margin, right = free.right - margin,
@@ -323,10 +355,32 @@ CardPlace place_of(const Ui& ui, const Vec2& spot) {
   const double x = beside_object ? off
                                  : std::clamp(at_left ? before - body : behind + body, left,
                                               std::max(left, right - width));
-  const double foot =
-      x < ui.layout.tools.right ? std::min(bottom, ui.layout.tools.top - margin) : bottom;
-  if (low) return {{x, top, x + width, std::clamp(spot.y + 20, top, foot)}, true};
-  return {{x, std::clamp(spot.y - 20, top, foot), x + width, foot}, false};
+  const auto placed = [&](double from, bool at_bottom) -> CardPlace {
+    const double foot =
+        from < ui.layout.tools.right ? std::min(bottom, ui.layout.tools.top - margin) : bottom;
+    if (at_bottom) return {{from, top, from + width, std::clamp(spot.y + 20, top, foot)}, true};
+    return {{from, std::clamp(spot.y - 20, top, foot), from + width, foot}, false};
+  };
+  const CardPlace usual = placed(x, low);
+  const std::size_t covered = covered_robots(ui, usual.rect, usual.at_bottom);
+  if (covered == 0) return usual;
+  // The nearest place that covers fewer, which need not be beside the spot.
+  constexpr double step = 24;
+  CardPlace best = usual;
+  std::size_t least = covered;
+  double nearest = 0;
+  for (double y = top; y + height_of_card <= bottom; y += step)
+    for (double from = left; from + width <= right; from += step) {
+      const Rect rect{from, y, from + width, bottom};
+      if (from < ui.layout.tools.right && y + height_of_card > ui.layout.tools.top) continue;
+      const std::size_t here = covered_robots(ui, rect, false);
+      const double away = length(Vec2(from + width / 2, y + height_of_card / 2) - spot);
+      if (here > least || (here == least && (least == covered || away >= nearest))) continue;
+      best = {rect, false};
+      least = here;
+      nearest = away;
+    }
+  return best;
 }
 
 void draw_row(const Ui& ui, const Explanation::Row& row) {

@@ -118,7 +118,7 @@ namespace {
 struct Room {
   double width, height;
 };
-constexpr Room room_of_steps{880, 500}, room_of_tool{960, 540};
+constexpr Room room_of_steps{880, 500}, room_of_tool{820, 540};
 
 double zoom_for(const AppState& state) {
   if (!state.view.presenting) return 1;

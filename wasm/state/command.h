@@ -30,7 +30,7 @@ struct MoveVertex {
   Vec2 to;
 };
 struct MoveCentre {
-  Vec2 to;
+  std::optional<Vec2> to;  // nothing for the centroid
 };
 struct ReleaseCentre {};  // puts the centre of mass back to the centroid
 // Inserts a vertex in an edge of the outline or of a hole, and selects it.
@@ -237,9 +237,17 @@ struct ZoomView {
 struct SetPanelOpen {
   bool open;
 };
-// Opens or closes a section of the settings.
+// Opens or closes a section of the panel.
 struct SetSectionOpen {
   bool View::*section;
+  bool open;
+};
+// Explains this mark of marks_in_picture() (tools/picture_marks.h), or none.
+struct ExplainMark {
+  std::optional<std::size_t> mark{};
+};
+struct SetDrawerOpen {
+  Drawer drawer;
   bool open;
 };
 // Sets whether the brush erases no-go parts, or adds them. A stroke that begins on a no-go part
@@ -325,10 +333,11 @@ using AnyCommand = std::variant<
     SetMotion, OpenWalkthrough, CloseWalkthrough, GoToStep, MoveSteps, MoveChapters, SetPlaying,
     SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy, Measure, HoverFigure, Explain, ShowInLesson,
     LeaveScript, ShowAllSteps, SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView,
-    ZoomView, SetPanelOpen, SetSectionOpen, SetErases, ListIsOpen, CloseList, SetSheet,
-    MeasureSheet, MeasureNotice, CopyLink, TypeValue, OpenDialog, OpenPage, LayOutAgain, TakeRobots,
-    TakeChoice, ShowNotice, EndNotice, SetCanvas, SetPreferences, SetTouch, CoverScreen, MakeRoom,
-    LayPicture, TakePictureAway, SetMeasuring, KeepMotion, KeepComparison, ForgetSteps, AddStep>;
+    ZoomView, SetPanelOpen, SetSectionOpen, ExplainMark, SetDrawerOpen, SetErases, ListIsOpen,
+    CloseList, SetSheet, MeasureSheet, MeasureNotice, CopyLink, TypeValue, OpenDialog, OpenPage,
+    LayOutAgain, TakeRobots, TakeChoice, ShowNotice, EndNotice, SetCanvas, SetPreferences, SetTouch,
+    CoverScreen, MakeRoom, LayPicture, TakePictureAway, SetMeasuring, KeepMotion, KeepComparison,
+    ForgetSteps, AddStep>;
 // One command, which its copies share. What would copy or destroy any of the kinds is compiled only
 // once, in command.cpp: compiled in every file that makes a command, it took half of the panels'
 // compile time.

@@ -175,10 +175,9 @@ Layout wide(const AppState& state) {
   l.free = {0, l.toolbar.bottom, l.panel.left, screen.height};
   if (walkthrough_is_open(state))
     seat_player(l, l.panel.left - l.margin, (l.low ? 1 : 2) * l.control + 24);
-  if (state.view.tool == Tool::transform) l.free.top += tool_bar_height(l) + knob;
-  if ((state.view.tool == Tool::mark || adds_by_click(state.view.tool)) &&
-      (l.low || state.work.second_method))
-    l.free.top += tool_bar_height(l);  // the boundary and the captions must be visible
+  // The tool's bar covers nothing of the object.
+  if (state.view.tool != Tool::parts && state.view.tool != Tool::draw)
+    l.free.top += tool_bar_height(l) + (state.view.tool == Tool::transform ? knob : 0);
   // A frame's corners are farther out than robots, and must be clear of the view tools.
   const double below = state.view.tool == Tool::transform ? 108 : 84;
   split(l, state, state.work.second_method.has_value(), 88, 68, below);
@@ -330,7 +329,7 @@ Rect seat_of_notice(const AppState& state, const Layout& l) {
 // sheet.
 void make_room_for_notice(const AppState& state, Layout& l) {
   if (state.session.notice.text.empty()) return;
-  constexpr double robot = 16;
+  const double robot = l.wide ? 0 : 16;
   const bool two = l.second.width() > 0;
   const bool over_sheet = !l.wide && state.view.sheet == Sheet::closed &&
                           state.session.screen.foot == 0 && !presents_steps(state) &&

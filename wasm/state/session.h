@@ -143,7 +143,7 @@ struct Screen {
   bool embed = false;   // in an <iframe>, without panels for editing
   bool finger = false;  // the main pointer is a finger, so controls are larger
   bool touch = false;   // the last pointer was a finger, which cannot hover
-  bool asking = false;  // a finger rests on a part to ask about it, so tips are shown
+  bool asking = false;  // the pointer rests, or a finger does so: marks and tips explain
   double foot = 0;      // pixels from the top of the page's card to the drawing's foot, or 0
   double card = 0;      // the height of this card itself, in pixels, or 0
   // The pixels that a window of the page covers at the left, at the right, or at the foot over the
@@ -153,7 +153,7 @@ struct Screen {
 };
 
 struct Notice {
-  enum class Kind : std::uint8_t { info, problem };
+  enum class Kind : std::uint8_t { info, problem, hint };
   Kind kind = Kind::info;
   std::string text;  // empty if there is no notice
   std::string undo;  // label of a button that undoes the last edit; empty without a button
@@ -164,6 +164,7 @@ struct Session {
   int opened = 0;                    // the number of documents opened since the start
   bool list_open = false;            // the last frame showed a list of choices
   bool close_list = false;           // the next frame closes this list
+  std::string wanted_field;          // a key asked for this field, which a closed drawer may have
   double closed_sheet_height = 172;  // pixels, measured in the last frame
   double notice_height = 0;          // pixels, measured in the last frame
   Notice notice;

@@ -163,6 +163,18 @@ struct Walkthrough {
 // How far the sheet of a narrow screen is open.
 enum class Sheet : std::uint8_t { closed, half, full };
 
+// The sections of settings in the panel (panels/drawers.h), in its order.
+enum class Drawer : std::uint8_t {
+  object,
+  robots,
+  carrying,
+  weighing,
+  show,
+  compare,
+  end_of_drawers  // counts the drawers; keep it last
+};
+inline constexpr auto drawer_count = static_cast<std::size_t>(Drawer::end_of_drawers);
+
 // The tool decides what a press does. In the order of the values, a press grabs a vertex or the
 // centre of mass, places a vertex, grabs the whole polygon, marks a no-go part, adds a robot,
 // places a hole's vertex, or puts a weight on the object.
@@ -257,7 +269,8 @@ struct View {
   Wanted<std::size_t> fails;               // the failed robot's number from 0
   Wanted<Pick> card;                       // the part that the card explains
   Walkthrough walkthrough;
-  bool presenting = false;  // presentation mode: enlarged, in full screen
+  std::optional<std::size_t> explained;  // of marks_in_picture(), for which a key asked
+  bool presenting = false;               // presentation mode: enlarged, in full screen
 
   Camera camera;
   bool camera_follows = true;  // the camera fits the drawing until the user pans or zooms
@@ -266,10 +279,10 @@ struct View {
   bool motion = true;          // changes are animated, except with reduced motion
 
   bool panel_open = true;
-  bool carrying_open = false;  // the section about slopes, uneven ground and a further load
-  bool formal_open = false;    // the section with the algorithm and a step's formula
-  bool more_open = false;      // the section of seldom-used settings
-  bool robot_open = false;     // the section about the robots' size
+  bool formal_open = false;  // the section with the algorithm and a step's formula
+  std::array<bool, drawer_count> open_drawers{};
+  bool all_loads = false;      // the table of loads has all rows, or else as many as fit
+  bool whole_verdict = false;  // the verdict has all lines, or else three
   Sheet sheet = Sheet::closed;
 };
 

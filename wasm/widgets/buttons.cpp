@@ -247,7 +247,7 @@ bool is_dragged() {
 
 bool tapped(const Ui& ui, bool pressed) {
   const Screen& screen = ui.state.session.screen;
-  return pressed && !screen.asking && !(screen.touch && is_dragged());
+  return pressed && !(screen.touch && (screen.asking || is_dragged()));
 }
 
 void end_card(const Ui& ui) {

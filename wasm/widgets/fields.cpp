@@ -8,6 +8,7 @@
 #include "evenlift/wording.h"
 #include "ui/icons.h"
 #include "widgets/buttons.h"
+#include "widgets/text.h"
 
 namespace evenlift::view {
 
@@ -88,15 +89,6 @@ void draw_ground(const Ui& ui, ImVec2 low, ImVec2 high) {
   list.AddRect(low, high, ui.theme.quiet.packed(), 7, 0, 1);
 }
 
-std::string cut_off(std::string text, float width) {
-  if (text_size(Face::text, text).x <= width) return text;
-  while (!text.empty() && text_size(Face::text, text + "…").x > width) {
-    while (text.size() > 1 && (text.back() & 0xC0) == 0x80) text.pop_back();
-    text.pop_back();
-  }
-  return text + "…";
-}
-
 }  // namespace
 
 int stepper(const Ui& ui, const char* id, const std::string& value, float width,
@@ -140,7 +132,7 @@ void text_field(const Ui& ui, const char* id, const char* label, const char* set
   draw_ground(ui, low, high);
   draw_text(*ImGui::GetWindowDrawList(), Face::text,
             ImVec2(low.x + pad, (low.y + high.y - text_size(Face::text, value).y) / 2),
-            ui.theme.text, cut_off(value, width - 2 * pad));
+            ui.theme.text, cut_off(Face::text, value, width - 2 * pad));
 }
 
 void number_field(const Ui& ui, const char* id, const char* label, const char* setting,

@@ -19,8 +19,8 @@ struct MethodWords {
 inline constexpr MethodWords methods[] = {
     {Method::area, "Area", "each team adds the most area"},
     {Method::circle, "Circle", "each team fits the largest circles"},
-    {Method::distance, "Distance", "each team shortens the tipping arms"},
-    {Method::distributed, "Equal angles", "between teams, for comparison"},
+    {Method::distance, "Distance", "each team shortens what juts out"},
+    {Method::distributed, "Equal angles", "teams at equal angles, for comparison"},
     {Method::random, "Random", "teams at random, for comparison"},
     {Method::balanced, "Balanced", "all robots can carry the same load"},
     {Method::given, "By hand", "robots where you put them"},

@@ -57,6 +57,15 @@ void text_block(Face face, Colour colour, const std::string& text, float kept_fr
   text_block_of(face, colour, text, wrap, lines.size());
 }
 
+std::string cut_off(Face face, std::string text, float width) {
+  if (text_size(face, text).x <= width) return text;
+  while (!text.empty() && text_size(face, text + "…").x > width) {
+    while (text.size() > 1 && (text.back() & 0xC0) == 0x80) text.pop_back();
+    text.pop_back();
+  }
+  return text + "…";
+}
+
 void text_block_of(Face face, Colour colour, const std::string& text, float width,
                    std::size_t lines) {
   const std::vector<std::string_view> broken = broken_lines(face, text, width);
@@ -65,15 +74,16 @@ void text_block_of(Face face, Colour colour, const std::string& text, float widt
   for (std::size_t i = 0; i < std::min(lines, broken.size()); ++i) {
     const bool cut = i + 1 == lines && broken.size() > lines;
     if (cut) note_room(text, 1, 0);
-    const std::string line = std::string(broken[i]) + (cut ? " …" : "");
+    const std::string line =
+        cut ? cut_off(face, std::string(broken[i]) + " " + std::string(broken[i + 1]), width)
+            : std::string(broken[i]);
     draw_text(*ImGui::GetWindowDrawList(), face, at, colour, line);
     at.y += line_height(face);
   }
   ImGui::Dummy(ImVec2(width, line_height(face) * static_cast<float>(lines)));
 }
 
-float labelled(const Ui& ui, const char* label, const char* about) {
-  constexpr float label_width = 120;
+float labelled(const Ui& ui, const char* label, const char* about, float label_width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float left = ImGui::GetContentRegionAvail().x;
   const ImVec2 text = text_size(Face::label, label);
@@ -111,7 +121,8 @@ void place_tip_of_finger(const Screen& screen, ImVec2 size) {
 // bar.
 void place_tip(const Ui& ui, ImVec2 size) {
   constexpr float away = 14;
-  if (ui.state.session.screen.asking) return place_tip_of_finger(ui.state.session.screen, size);
+  if (ui.state.session.screen.asking && ui.state.session.screen.touch)
+    return place_tip_of_finger(ui.state.session.screen, size);
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(),
                pointer = ImGui::GetIO().MousePos;
   const float panel = static_cast<float>(ui.layout.panel.left);

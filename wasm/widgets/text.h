@@ -17,7 +17,7 @@ namespace evenlift::view {
 
 // Draws a label, with a tip, at the left of its control. Moves Dear ImGui's cursor to the control's
 // place, and returns the remaining width.
-float labelled(const Ui& ui, const char* label, const char* about);
+float labelled(const Ui& ui, const char* label, const char* about, float label_width = 120);
 
 void rule(const Ui& ui);  // a line between two parts of a card
 void tip(const Ui& ui, const char* text);
@@ -37,6 +37,9 @@ float height_of(Face face, const std::vector<std::string_view>& lines);
 // one shown ends with "…".
 void text_block_of(Face face, Colour colour, const std::string& text, float width,
                    std::size_t lines);
+
+// Returns the text, or its beginning with "…" if it is wider than `width`.
+std::string cut_off(Face face, std::string text, float width);
 
 // --- Lists from which the user chooses.
 

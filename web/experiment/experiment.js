@@ -153,7 +153,7 @@ class ExperimentWindow {
         el("legend", {}, "Polygons"),
         choice("this", "This polygon"),
         choice("samples", "All samples, some with a moved centre of mass"),
-        choice("thesis", "A set like the thesis’s"),
+        choice("thesis", "Random polygons, as in the thesis behind evenlift"),
         choice("files", this.own),
         this.choose,
         this.file,
@@ -240,7 +240,11 @@ class ExperimentWindow {
       };
     }
     const tasks = await { samples, thesis: thesisLike, files: async () => ownFiles(this.#files) }[this.#chosen]();
-    const names = { samples: "All samples", thesis: "A set like the thesis’s", files: "My files" };
+    const names = {
+      samples: "All samples",
+      thesis: "Random polygons, as in the thesis behind evenlift",
+      files: "My files",
+    };
     const minRatio = typedNumber(this.ratio.value);
     return {
       tasks,

@@ -157,6 +157,15 @@ async function load(page, list, choose) {
         ? say("In order, about {minutes} minutes in total; {seen} of {all} seen", whole)
         : say("In order, about {minutes} minutes in total", whole),
     ),
+    el(
+      "p",
+      {},
+      el(
+        "a",
+        { href: new URL("docs-teaching.html", import.meta.url).href, target: "_blank", rel: "noopener" },
+        "For teachers: the plan of three sessions, with sheets and homework",
+      ),
+    ),
     ...sessions.flatMap((session, number) => {
       const some = lessons.filter((lesson) => lesson.session === session);
       return [

@@ -87,7 +87,7 @@ export function typedProblem(typed, setting, own, isLength) {
       ? "“{text}” is a length, but this number is a weight in {own}"
       : "“{text}” is a weight, but this number is a length in {own}"
     : isLength && isOfLength
-      ? "“{text}” has the unit {from}, but lengths have none here: type the number alone, or choose a unit of length under More settings"
+      ? "“{text}” has the unit {from}, but lengths have none here: type the number alone, or choose a unit of length under Object"
       : "“{text}” has the unit {from}, but this number has none: type the number alone";
   return say(pattern, { text, from, own });
 }

@@ -123,12 +123,22 @@ function connectPresses(program) {
   }
 }
 
-// A finger that rests shows the tip that a mouse would show.
+// A finger that rests shows the tip that a mouse would show. A finger or a mouse that rests on a mark of the picture
+// shows what it means.
 function connectAsking(program) {
   const rest = 500; // milliseconds
   const options = { capture: true, passive: true };
   let timer, from;
   const end = () => clearTimeout(timer);
+  addEventListener(
+    "mousemove",
+    ({ target, buttons }) => {
+      end();
+      if (target.id === "canvas" && !buttons) timer = setTimeout(() => program.call("page_ask"), rest);
+    },
+    options,
+  );
+  for (const type of ["mousedown", "mouseout"]) addEventListener(type, end, options);
   addEventListener(
     "touchstart",
     ({ touches }) => {

@@ -104,7 +104,7 @@ function introduce(program) {
   program.call(
     "page_notice",
     "You see an object from above, and the robots that lift it. Drag a robot, a corner or the centre of mass.",
-    0,
+    2, // a hint, not a success
   );
   const ends = () => program.call("page_end_notice");
   for (const type of ["pointerdown", "keydown"])

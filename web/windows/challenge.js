@@ -75,7 +75,7 @@ export async function show(page, { place, beat }) {
     question.textContent = revealed || beat ? translated("Can you beat this?") : asked;
     advice.textContent = translated(
       revealed
-        ? "evenlift's answer uses the same number of robots. Drag yours to come closer, or try again."
+        ? "evenlift's answer uses the same number of robots. Drag yours to do better, or try again."
         : "Drag the robots so that all carry nearly the same, and so that the object does not tip.",
     );
     reveal.hidden = revealed;

@@ -63,24 +63,18 @@ export const stops = [
       ),
     points: (here) => here.base(),
   },
-  {
-    title: "Can it still move?",
-    where: ({ team }) => team,
-    words: mobility,
-    points: (here) => (here.hasSheet ? here.discs() : undefined), // the switches are further down in the sheet
-    controls: ["Clockwise", "Counter-clockwise"],
-  },
+  { title: "Can it still move?", where: ({ team }) => team, words: mobility, points: (here) => here.discs() },
   {
     title: "Settings",
     words: ({ balanced, hasSheet }) =>
       balanced
         ? hasSheet
-          ? "Pull the sheet up, and choose the number of robots, the method, and the goal: to hold the object or to cover it. The result follows at once."
-          : "Choose the number of robots, the method, and the goal: to hold the object or to cover it. The result follows at once."
+          ? "Pull the sheet up, and choose the method, the number of robots and the weight. Below the loads, drawers have all other settings."
+          : "Choose the method, the number of robots and the weight. Below the loads, drawers have all other settings."
         : hasSheet
-          ? "Pull the sheet up, and choose the number of teams, the method that chooses them, and the minimum load ratio. The result follows at once."
-          : "Choose the number of teams, the method that chooses them, and the minimum load ratio. The result follows at once.",
-    controls: ["methods", "teams -", "teams +", "robots -", "robots +", "ratio"],
+          ? "Pull the sheet up, and choose the method that places teams, their number and the weight. Below the loads, drawers have all other settings."
+          : "Choose the method that places teams, their number and the weight. Below the loads, drawers have all other settings.",
+    controls: ["methods", "teams -", "teams +", "robots -", "robots +", "weight"],
   },
   {
     title: "The shape",

@@ -118,7 +118,7 @@ double tipping_force(const ShownPlacement& of, const Vec2& q);
 std::optional<std::vector<double>> worst_loads(const Placement& placement,
                                                const DisturbanceEffect& effect);
 
-// The circles about C that a picture shows, each for one slope. Under the assumptions of tilt.h,
+// The circles about C that a picture shows, each for one slope, among them the one that is set. Under the assumptions of tilt.h,
 // the object can tip on ground of that slope if the circle's point downhill from C lies outside the
 // lifting base. The circles are sorted from small to large. Circles around the whole lifting base
 // are left out, and so are circles too close to C or to others to be told apart at `scale` pixels
@@ -127,6 +127,7 @@ std::optional<std::vector<double>> worst_loads(const Placement& placement,
 struct TiltCircle {
   double degrees = 0, radius = 0;  // the radius, in units of length, includes the C uncertainty
   bool is_labelled = true;
+  bool is_set = false;  // the slope of Carrying
 };
 std::vector<TiltCircle> tilt_circles(const ShownPlacement& of, double scale);
 

@@ -342,6 +342,7 @@ std::optional<std::vector<double>> worst_loads(const Placement& placement,
 
 std::vector<TiltCircle> tilt_circles(const ShownPlacement& of, double scale) {
   constexpr double angles_deg[] = {1, 2, 5, 10, 15, 20, 30, 45, 60};
+  const double asked = of.shown.carrying.slope;
   constexpr double least_gap = 16, least_labelled = 40;  // pixels
   const double height = of.shown.carrying.com_height;
   const Placement& placement = of.placement;
@@ -350,11 +351,21 @@ std::vector<TiltCircle> tilt_circles(const ShownPlacement& of, double scale) {
   double farthest = 0, drawn = 0;
   for (const Vec2& corner : placement.lifting_base)
     farthest = std::max(farthest, length(corner - placement.centre_of_mass));
+  const auto radius_at = [&](double slope) { return of.shown.com_radius + height * slope; };
+  // The slope that is set is shown whatever its neighbours.
+  const double kept = asked > 0 ? radius_at(asked) : -least_gap / scale;
   for (const double degrees : angles_deg) {
-    const double radius = of.shown.com_radius + height * slope_ratio(degrees);
-    if (radius > farthest || radius * scale < drawn + least_gap) continue;
+    const double radius = radius_at(slope_ratio(degrees));
+    if (radius > farthest || radius * scale < drawn + least_gap ||
+        std::abs(radius - kept) * scale < least_gap)
+      continue;
     drawn = radius * scale;
     circles.push_back({degrees, radius, drawn >= least_labelled});
+  }
+  if (asked > 0 && kept <= farthest) {
+    const auto after = std::find_if(circles.begin(), circles.end(),
+                                    [&](const TiltCircle& circle) { return circle.radius > kept; });
+    circles.insert(after, {slope_degrees(asked), kept, kept * scale >= least_labelled, true});
   }
   return circles;
 }

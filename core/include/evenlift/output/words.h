@@ -116,8 +116,10 @@ int coordinate_decimals(const Points& vertices);  // O(n)
 // are ranges: "6 robots carry 14.9–18.4 kg each, with a C uncertainty of 3 cm, on slopes up to 8 %
 // (100 kg in all)." For given supports the text calls the robots equally stiff, unless equilibrium
 // alone determines the loads. If the object falls, the text is "It falls: the centre of mass is 12 mm
-// outside the lifting base, beyond robots 2 and 3." O(m).
-std::string loads_in_words(const Reported& of);
+// outside the lifting base, beyond robots 2 and 3." With TellWeight::no the text omits the weight in
+// parentheses. O(m).
+enum class TellWeight : std::uint8_t { no, yes };
+std::string loads_in_words(const Reported& of, TellWeight weight = TellWeight::yes);
 
 // Writes the weight, with cargo if there is any: "120 kg with its cargo of 24 kg", or "100 kg".
 // O(items).

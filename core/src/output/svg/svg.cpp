@@ -285,6 +285,11 @@ class Drawing {
     return "<g class=\"slide\">\n" + arrow(tail, head, slide_colour) + "</g>\n";
   }
 
+  std::vector<TallyStroke> strokes_of(const Stand& stand) const {
+    const Vec2 outward = stand.at - paper_(placement_.centre_of_mass);
+    return tally(stand.team, stand.at, outward, disc_ + 1.5);
+  }
+
   // A pale body, not to scale, and the team's mark beneath each disc. Very many would hide each
   // other.
   std::string around_robots() const {
@@ -301,8 +306,7 @@ class Drawing {
                                 attribute("y", box.low.y) + attribute("width", size.x) +
                                 attribute("height", size.y) + attribute("rx", size.y / 2) +
                                 attribute("fill", body_colour) + attribute("fill-opacity", 0.15));
-      const Vec2 outward = stand.at - paper_(placement_.centre_of_mass);
-      for (const auto& [line, five] : tally(stand.team, stand.at, outward, disc_ + 1.5))
+      for (const auto& [line, five] : strokes_of(stand))
         out += element("path", attribute("class", "tally") + path({line.from, line.to}, false) +
                                    attribute("stroke", text_colour) +
                                    attribute("stroke-width", five ? 3.5 : 1.75));
@@ -346,7 +350,12 @@ class Drawing {
     around.holes = holes_;
     around.chords = chords_;
     around.marks = {{centre - Vec2(11, 11), centre + Vec2(11, 11)}};
-    for (const Stand& stand : stands_) around.marks.push_back(disc(stand));
+    for (const Stand& stand : stands_) {
+      around.marks.push_back(disc(stand));
+      for (const TallyStroke& stroke : strokes_of(stand))
+        around.marks.push_back({componentwise_min(stroke.line.from, stroke.line.to),
+                                componentwise_max(stroke.line.from, stroke.line.to)});
+    }
     for (const PlacedRobot& robot : sized_) {
       around.marks.push_back(body_box(robot, placement_.stands->robot(), paper_));
       around.chords.emplace_back(paper_(robot.at), paper_(robot.stand));

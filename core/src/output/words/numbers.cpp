@@ -168,7 +168,9 @@ std::string promised_length(double length, const Units& units) {
   constexpr std::uint64_t two_digits = 100;
   for (; decimal.digits >= two_digits; ++decimal.exponent) decimal.digits /= 10;
   const std::string text = std::to_string(decimal.digits) + "e" + std::to_string(decimal.exponent);
-  return with_length_unit(plain(*read_number(text)), units);
+  const std::string number = plain(*read_number(text));
+  return units.length == LengthUnit::none ? say("{length} units", {number})
+                                          : with_length_unit(number, units);
 }
 
 std::string points_ahead(double share, double other) {

@@ -178,7 +178,7 @@ bool names_its_subject(std::string_view message) {
 
 }  // namespace
 
-std::string loads_in_words(const Reported& of) {
+std::string loads_in_words(const Reported& of, TellWeight weight) {
   const Placement& placement = of.placement;
   if (!placement.search_ended && placement.teams.empty())
     return say("Still looking for places for {number} robots.", {placement.settings.robots});
@@ -200,38 +200,37 @@ std::string loads_in_words(const Reported& of) {
   const std::string robots = planned && given && !of.report.loads_are_determined
                                  ? count_of(number, "equally stiff robot", "equally stiff robots")
                                  : count_of(number, "robot", "robots");
+  const auto ended = [&](const std::string& sentence) {
+    return weight == TellWeight::no ? sentence + "." : say("{sentence} ({all}).", {sentence, all});
+  };
   if (planned && !disturbance.empty()) {
     double least = of.report.greatest;
     for (const LoadRange& range : of.report.loads) least = std::min(least, range.least);
-    return say(
-        number == 1 ? "{robots} carries {load}, {conditions} ({all})."
-                    : "{robots} carry {load} each, {conditions} ({all}).",
-        {robots, load_in_words(LoadRange{least, of.report.greatest}, of.report.greatest, units),
-         disturbance, all});
+    return ended(
+        say(number == 1 ? "{robots} carries {load}, {conditions}"
+                        : "{robots} carry {load} each, {conditions}",
+            {robots, load_in_words(LoadRange{least, of.report.greatest}, of.report.greatest, units),
+             disturbance}));
   }
   constexpr const char* sentences[4][3] = {
-      {"{robots} carries {load} ({all}).", "{robots} carry {load} each ({all}).",
-       "{robots} carry equal loads of {load} ({all})."},
-      {"If equally stiff, {robots} carries {load} ({all}).",
-       "If equally stiff, {robots} carry {load} each ({all}).",
-       "If equally stiff, {robots} carry equal loads of {load} ({all})."},
-      {"As planned, {robots} carries {load} ({all}).",
-       "As planned, {robots} carry {load} each ({all}).",
-       "As planned, {robots} carry equal loads of {load} ({all})."},
-      {"On level ground and with C as given, {robots} carries {load} ({all}).",
-       "On level ground and with C as given, {robots} carry {load} each ({all}).",
-       "On level ground and with C as given, {robots} carry equal loads of {load} ({all})."}};
+      {"{robots} carries {load}", "{robots} carry {load} each",
+       "{robots} carry equal loads of {load}"},
+      {"If equally stiff, {robots} carries {load}", "If equally stiff, {robots} carry {load} each",
+       "If equally stiff, {robots} carry equal loads of {load}"},
+      {"As planned, {robots} carries {load}", "As planned, {robots} carry {load} each",
+       "As planned, {robots} carry equal loads of {load}"},
+      {"On level ground and with C as given, {robots} carries {load}",
+       "On level ground and with C as given, {robots} carry {load} each",
+       "On level ground and with C as given, {robots} carry equal loads of {load}"}};
   const bool equal = placement.settings.method == Method::balanced;
-  return say(sentences[tips      ? 3
-                       : planned ? 0
-                       : given   ? 1
-                                 : 2][equal         ? 2
-                                    : number == 1 ? 0
-                                                  : 1],
-             {robots,
-              equal ? load_in_words(loads.max, loads.max, units)
-                    : load_in_words(loads.min, loads.max, loads.max, units),
-              all});
+  return ended(say(sentences[tips      ? 3
+                             : planned ? 0
+                             : given   ? 1
+                                       : 2][equal         ? 2
+                                          : number == 1 ? 0
+                                                        : 1],
+                   {robots, equal ? load_in_words(loads.max, loads.max, units)
+                                  : load_in_words(loads.min, loads.max, loads.max, units)}));
 }
 
 std::string weight_in_words(const ShownPlacement& of) {
@@ -383,11 +382,12 @@ std::string closure_in_words(const Reported& of) {
   const Closure& closure = placement.closure;
   if (closure.form_closure && !of.report.firm) return fragile_hold_in_words(of);
   if (closure.form_closure)
-    return say("The robots' contact alone stops it from sliding or turning.");
+    return say("The robots hold it: it can neither slide nor turn, even without friction.");
   if (closure.second_order)
     return say("It is held only to second order: any movement jams as soon as it begins.");
   if (!closure.margin && stands_beneath(placement))
-    return say("No robot that touches it from the side keeps it from sliding or turning.");
+    return say(
+        "No robot touches an edge from the side, so nothing keeps it from sliding or turning.");
   if (!closure.margin)
     return say(
         "All robots stand on corners, where contacts are not counted: nothing else keeps it from "

@@ -1,4 +1,5 @@
-// The second method, and the results of both in numbers.
+// The rows about the picture: the overlays, the shown loads, and the second method; and the results of
+// both methods in numbers.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -8,6 +9,7 @@
 
 #include "evenlift/output/quantities.h"
 #include "evenlift/wording.h"
+#include "panels/drawers.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
 #include "picture/scene.h"
@@ -42,9 +44,8 @@ void draw_row(const Ui& ui, const Compared& row, Face face,
 
 }  // namespace
 
-void draw_compare(const Ui& ui) {
-  const float width =
-      labelled(ui, "Compare with", "Shows the same object under a second method beside the first");
+void draw_compare(const Ui& ui, const DrawerRow& row) {
+  const float width = labelled(ui, row.label, row.about);
   std::vector<Choice> choices = {{"Nothing"}};
   std::vector<Method> of_choice;
   std::size_t current = 0;
@@ -56,7 +57,7 @@ void draw_compare(const Ui& ui) {
   }
   choices.push_back({"Optimum …", "the best for this number of teams"});
   choices.push_back({"All methods …", "in charts, by the number of teams"});
-  const auto chosen = dropdown(ui, "compared", "Compare with", choices, current, width);
+  const auto chosen = dropdown(ui, "compared", row.label, choices, current, width);
   if (!chosen) return;
   if (*chosen + 1 == choices.size())
     ui.push(OpenDialog{Dialog::curves});
@@ -88,8 +89,6 @@ struct Overlay {
   Swatch swatch;
   const char* label;
   const char* about;
-  const char* about_none =
-      nullptr;                 // if it can be empty: a held object has no points to turn about
   const char* name = nullptr;  // of its chip for scripts, if not the label
 };
 constexpr Overlay overlays[] = {
@@ -100,11 +99,9 @@ constexpr Overlay overlays[] = {
     {&Overlays::candidates, Swatch::candidate, "Candidates", "All chords that were compared (A)"},
     {&Overlays::clockwise, Swatch::clockwise, "Clockwise turns",
      "Points about which it can still turn clockwise, robots on corners not counted (R)",
-     "Points about which it can still turn clockwise, robots on corners not counted: none here (R)",
      "Clockwise"},
     {&Overlays::counterclockwise, Swatch::counterclockwise, "Counter-clockwise turns",
      "Points about which it can still turn counter-clockwise, robots on corners not counted (L)",
-     "Points about which it can still turn counter-clockwise, robots on corners not counted: none here (L)",
      "Counter-clockwise"},
     {&Overlays::tipping, Swatch::tipping, "Tipping",
      "The press down that tips the object, at each point (F)"},
@@ -116,16 +113,16 @@ constexpr Overlay overlays[] = {
      "Where the extra load may stand: in the striped part it lifts a robot off or overloads one (Shift+L)"},
 };
 
-// Null if the method can have the overlay.
-const char* why_none(Method method, const Overlay& overlay) {
-  const bool weighs = !is_one_team(method) || overlay.shown != &Overlays::candidates;
-  return weighs ? nullptr : "These robots are not chosen among candidate chords";
-}
-
-// Two overlays need a setting of *Carrying*.
-bool is_offered(const Shown& shown, const Overlay& overlay) {
-  if (overlay.shown == &Overlays::tilt) return shown.carrying.has_height();
-  if (overlay.shown == &Overlays::load) return shown.carrying.extra.has_value();
+// Whether there can be something to show.
+bool is_offered(const AppState& state, const Overlay& overlay) {
+  const Shown& now = shown(state);
+  if (overlay.shown == &Overlays::tilt) return now.carrying.has_height();
+  if (overlay.shown == &Overlays::load) return now.carrying.extra.has_value();
+  if (overlay.shown == &Overlays::candidates) return !is_one_team(settings(state).method);
+  if (!state.derived().placement) return true;
+  const Closure& closure = shown_placement(state).closure;
+  if (overlay.shown == &Overlays::clockwise) return closure.clockwise.exists;
+  if (overlay.shown == &Overlays::counterclockwise) return closure.counterclockwise.exists;
   return true;
 }
 
@@ -138,17 +135,10 @@ const char* label_of(Method method, const Overlay& overlay) {
   return shows_lines(method, overlay) ? "Lines" : overlay.label;
 }
 
-bool is_empty(const Placement& placement, const Overlay& overlay) {
-  const Closure& closure = placement.closure;
-  return (overlay.shown == &Overlays::clockwise && !closure.clockwise.exists) ||
-         (overlay.shown == &Overlays::counterclockwise && !closure.counterclockwise.exists);
-}
-
 const char* about(const AppState& state, const Overlay& overlay) {
-  if (shows_lines(settings(state).method, overlay))
-    return "Balanced robots have no chords: a line joins each with the centre of mass (C)";
-  const bool empty = state.derived().placement && is_empty(shown_placement(state), overlay);
-  return empty ? overlay.about_none : overlay.about;
+  return shows_lines(settings(state).method, overlay)
+             ? "Balanced robots have no chords: a line joins each with the centre of mass (C)"
+             : overlay.about;
 }
 
 }  // namespace
@@ -182,29 +172,41 @@ void draw_heat_key(const Ui& ui) {
   ImGui::Dummy(ImVec2(width, 50));
 }
 
-void draw_overlays(const Ui& ui) {
+void draw_overlays(const Ui& ui, const DrawerRow&) {
   const float left = ImGui::GetCursorScreenPos().x, width = ImGui::GetContentRegionAvail().x;
   bool first = true;
   for (const Overlay& overlay : overlays) {
-    if (!is_offered(shown(ui.state), overlay)) continue;
+    if (!is_offered(ui.state, overlay)) continue;
     const bool on = shown(ui.state).overlays.*overlay.shown;
     const char* label = label_of(settings(ui.state).method, overlay);
     const float wide = text_size(Face::label, label).x + 42;
     if (!first && ImGui::GetItemRectMax().x + 6 + wide <= left + width) ImGui::SameLine(0, 6);
     first = false;
-    const char* why_not = why_none(settings(ui.state).method, overlay);
-    const char* name = overlay.name ? overlay.name : overlay.label;
-    if (chip(ui, name, overlay.swatch, label, on && !why_not, !why_not)) {
+    if (chip(ui, overlay.name ? overlay.name : overlay.label, overlay.swatch, label, on)) {
       Shown changed = shown(ui.state);
       changed.overlays.*overlay.shown = !on;
       ui.push(SetShown{changed});
     }
-    if (ImGui::IsItemHovered()) tip(ui, why_not ? why_not : about(ui.state, overlay));
+    if (ImGui::IsItemHovered()) tip(ui, about(ui.state, overlay));
   }
   if (shown(ui.state).overlays.tipping) draw_heat_key(ui);
 }
 
-// --- Seldom-used settings, behind a button that opens them.
+std::string told_overlays(const AppState& state, const DrawerRow&) {
+  static const Overlays usual;
+  std::string told;
+  for (const Overlay& overlay : overlays) {
+    const bool on = shown(state).overlays.*overlay.shown;
+    if (on == usual.*overlay.shown || !is_offered(state, overlay)) continue;
+    const std::string label(translated(label_of(settings(state).method, overlay)));
+    told += (told.empty() ? "" : ", ") + (on ? label : say("without {overlay}", {label}));
+  }
+  return told;
+}
+
+std::string told_compare(const AppState& state, const DrawerRow&) {
+  return state.work.second_method ? words_of(*state.work.second_method).label : std::string();
+}
 
 namespace {
 
@@ -214,126 +216,20 @@ constexpr Choice models[] = {{"As planned", "each robot's force is controlled"},
                              {"At worst", "unequal heights, or it bends"}};
 static_assert(std::size(models) == std::size(all_load_models));
 
-// A text in a constant number of lines, so that nothing below moves.
-void draw_block(const Ui& ui, const std::string& text, std::size_t lines) {
-  text_block_of(Face::label, ui.theme.second_text, text, ImGui::GetContentRegionAvail().x, lines);
-}
-
-void draw_model(const Ui& ui) {
-  const float width =
-      labelled(ui, "Loads shown", "The assumption behind the loads in the drawing and the table");
-  const auto now = static_cast<std::size_t>(ui.state.view.load_model);
-  const auto chosen = dropdown(ui, "loads", "Loads shown", models, now, width);
-  if (chosen && *chosen != now) ui.push(SetLoadModel{static_cast<LoadModel>(*chosen)});
-  if (ui.state.view.load_model != LoadModel::plan) draw_block(ui, model_words(ui.state), 3);
-}
-
-constexpr LengthRow uncertainty{
-    Setting::com_radius, "C uncertainty",
-    "The centre of mass may be anywhere within this distance of its shown place",
-    "Uncertainty of the centre of mass"};
-constexpr LengthRow clear{Setting::clear,
-                          "Clear of corners",
-                          "A hold does not rely on robots nearer to a corner than this",
-                          "Distance of holds from corners",
-                          &Settings::clear,
-                          "Default: 2 % of the object's radius"};
-constexpr LengthRow accuracy_row{
-    Setting::accuracy,
-    "Accuracy",
-    "Robots may be off their places by this: what is found still holds",
-    "How far robots may be off their places",
-    &Settings::accuracy,
-    "Default: exact, but you are told how far robots may be off"};
-constexpr LengthRow apart{Setting::apart,
-                          "Keep apart",
-                          "Robots should be at least this far from each other",
-                          "Least distance between robots",
-                          &Settings::apart,
-                          "Default: 12 % of the object's radius"};
-
-constexpr LengthRow snap_row{Setting::snap,
-                             "Snap",
-                             "Robots within this distance of the outline stand at the edge",
-                             "Snap distance of robots",
-                             &Settings::snap,
-                             "Default: 1/10,000 of the object's size"};
-
-constexpr Choice length_units[] = {{"no unit"}, {"m"}, {"cm"}, {"mm"}, {"in"}};
-constexpr Choice weight_units[] = {{"kg"}, {"t"}, {"N"}, {"lb"}};
-static_assert(std::size(length_units) == std::size(all_length_units));
-static_assert(std::size(weight_units) == std::size(all_weight_units));
-
-void draw_units(const Ui& ui) {
-  Units units = shown(ui.state).units;
-  const float width = labelled(ui, "Units", "Labels of lengths and weights; no number changes"),
-              each = (width - 8) / 2;
-  const auto length = dropdown(ui, "length units", "Unit of lengths", length_units,
-                               static_cast<std::size_t>(units.length), each);
-  ImGui::SameLine(0, 8);
-  const auto weight = dropdown(ui, "weight units", "Unit of weights", weight_units,
-                               static_cast<std::size_t>(units.weight), each);
-  if (length) units.length = static_cast<LengthUnit>(*length);
-  if (weight) units.weight = static_cast<WeightUnit>(*weight);
-  if (units != shown(ui.state).units) ui.push(showing(ui.state, &Shown::units, units));
-}
-
-void draw_survive(const Ui& ui) {
-  Settings changed = settings(ui.state);
-  const std::uint32_t most = std::min(most_survived, (std::max(changed.robots, 3u) - 3) / 2);
-  const float width = labelled(
-      ui, "Survive", "The object should stay steady if any robots, up to this number, fail");
-  const int by = stepper(ui, "survive", count_of(changed.survive, "failure", "failures"), width,
-                         {.can_lower = changed.survive > 0,
-                          .can_raise = changed.survive < most,
-                          .label = "Failures that should leave the object steady",
-                          .setting = "survive"});
-  if (by == 0) return;
-  changed.survive = by > 0 ? changed.survive + 1 : changed.survive - 1;
-  ui.push(SetSettings{changed});
-}
-
-void draw_positions(const Ui& ui) {
-  Settings changed = settings(ui.state);
-  constexpr Choice positions[] = {{"Best", "one place for two edges"},
-                                  {"Anywhere in the range", "wherever the minimum ratio is met"}};
-  const float width = labelled(ui, "Positions", "Where on two edges a team may stand");
-  const auto now = static_cast<std::size_t>(changed.positions);
-  const auto chosen = dropdown(ui, "positions", "Positions", positions, now, width);
-  if (!chosen || *chosen == now) return;
-  changed.positions = static_cast<Positions>(*chosen);
-  ui.push(SetSettings{changed});
-}
-
-void draw_rows(const Ui& ui) {
-  if (selects_candidates(settings(ui.state).method)) {
-    draw_positions(ui);
-    draw_goal(ui);
-  }
-  draw_model(ui);
-  draw_length(ui, uncertainty);
-  if (disturbance_of(shown(ui.state)).any()) draw_block(ui, uncertainty_words(ui.state), 5);
-  draw_length(ui, clear);
-  draw_length(ui, accuracy_row);
-  draw_units(ui);
-  if (settings(ui.state).method == Method::given) draw_length(ui, snap_row);
-  if (settings(ui.state).method != Method::balanced) return;
-  draw_length(ui, apart);
-  draw_survive(ui);
-}
-
 }  // namespace
 
-void draw_more_button(const Ui& ui, float width) {
-  const bool open = ui.state.view.more_open;
-  if (flat_button(ui, "more settings", open ? "Fewer settings" : "More settings", width))
-    ui.push(SetSectionOpen{&View::more_open, !open});
+void draw_model(const Ui& ui, const DrawerRow& row) {
+  const float width = labelled(ui, row.label, row.about);
+  const auto now = static_cast<std::size_t>(ui.state.view.load_model);
+  const auto chosen = dropdown(ui, "loads", row.label, models, now, width);
+  if (chosen && *chosen != now) ui.push(SetLoadModel{static_cast<LoadModel>(*chosen)});
+  if (ui.state.view.load_model != LoadModel::plan) draw_remark(ui, model_words(ui.state), 3);
 }
 
-void draw_more(const Ui& ui, float head) {
-  const bool open = ui.state.view.more_open;
-  if (open) draw_rows(ui);
-  show_opened(ui, "more settings are open", open, head);
+std::string told_model(const AppState& state, const DrawerRow&) {
+  return state.view.load_model == LoadModel::plan
+             ? std::string()
+             : models[static_cast<std::size_t>(state.view.load_model)].label;
 }
 
 }  // namespace evenlift::view

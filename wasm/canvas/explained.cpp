@@ -1,0 +1,177 @@
+// Explains the marks of the picture.
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+#include "canvas/canvas.h"
+#include "evenlift/plane.h"
+#include "evenlift/wording.h"
+#include "marks/marks.h"
+#include "tools/picture_marks.h"
+#include "ui/theme.h"
+
+namespace evenlift::view {
+namespace {
+
+bool contains(const Rect& box, const Vec2& at, double more) {
+  return Rect{box.left - more, box.top - more, box.right + more, box.bottom + more}.contains(at);
+}
+
+Vec2 middle_of(const Points& points) {
+  return std::accumulate(points.begin(), points.end(), Vec2(0, 0)) /
+         static_cast<double>(points.size());
+}
+
+bool is_above_object(const CanvasView& view, const Vec2& world) {
+  const auto has = [&](const Points& ring) { return inside(ring, world); };
+  return inside(view.placement->vertices(), world) &&
+         std::none_of(view.scene.holes.begin(), view.scene.holes.end(), has);
+}
+
+// A place of the lifting base that is above the object or, otherwise, beyond it.
+std::optional<Vec2> place_in_base(const CanvasView& view, bool above) {
+  const Points& base = view.placement->lifting_base;
+  if (base.size() < 3) return std::nullopt;
+  const Vec2 middle = middle_of(base);
+  for (const double share : {0.9, 0.6, 0.3})
+    for (std::size_t i = 0; i < base.size(); ++i) {
+      const Vec2 side = (base[i] + base[(i + 1) % base.size()]) / 2,
+                 at = middle + share * (side - middle);
+      if (is_above_object(view, at) == above) return at;
+    }
+  return std::nullopt;
+}
+
+// The middle of the visible part of a convex region, in pixels.
+std::optional<Vec2> seen_middle(const CanvasView& view, const Points& region) {
+  if (region.empty()) return std::nullopt;
+  const Rect window = view.uncovered();
+  Points seen;
+  for (const Vec2& corner : region) seen.push_back(view.camera.to_screen(corner));
+  seen = clip(std::move(seen), {Vec2(window.left, window.top), Vec2(window.right, window.bottom)});
+  return seen.empty() ? std::nullopt : std::optional(middle_of(seen));
+}
+
+Vec2 centre_on_screen(const CanvasView& view) {
+  return view.camera.to_screen(view.placement->centre_of_mass);
+}
+
+// Where a key explains the mark, in pixels; nothing if it is not in the window.
+std::optional<Vec2> place_of_mark(const CanvasView& view, PictureMark mark) {
+  const Placement& placement = *view.placement;
+  const auto on_screen = [&](const std::optional<Vec2>& world) {
+    return world ? std::optional(view.camera.to_screen(*world)) : std::nullopt;
+  };
+  switch (mark) {
+    case PictureMark::robots:
+      return view.camera.to_screen(placement.teams.front().robots.front().point.position);
+    case PictureMark::centre:
+      return centre_on_screen(view);
+    case PictureMark::triangle:
+      return centre_on_screen(view) + Vec2(0, 20);
+    case PictureMark::slide:
+      return slide_arrow(view).to;
+    case PictureMark::coverage: {
+      const std::optional<Rect> box = coverage_box(view);
+      return box ? std::optional(box->middle()) : std::nullopt;
+    }
+    case PictureMark::base_beyond:
+      return on_screen(place_in_base(view, false));
+    case PictureMark::base:
+      return on_screen(place_in_base(view, true));
+    case PictureMark::clockwise:
+      return seen_middle(view, placement.closure.clockwise.clipped);
+    case PictureMark::counterclockwise:
+      return seen_middle(view, placement.closure.counterclockwise.clipped);
+    case PictureMark::end_of_marks:
+      break;
+  }
+  return std::nullopt;
+}
+
+bool is_at(const CanvasView& view, PictureMark mark, const Vec2& at) {
+  constexpr double robot = 16, disc = 12;
+  const Placement& placement = *view.placement;
+  const Vec2 world = view.camera.to_world(at), centre = centre_on_screen(view);
+  switch (mark) {
+    case PictureMark::robots:
+      for (const Team& team : placement.teams)
+        for (const Robot& each : team.robots)
+          if (length(view.camera.to_screen(each.point.position) - at) <= robot) return true;
+      return false;
+    case PictureMark::centre:
+      return length(centre - at) <= disc;
+    case PictureMark::triangle:
+      return contains({centre.x - 9, centre.y + 11, centre.x + 9, centre.y + 26}, at, 3);
+    case PictureMark::slide: {
+      const Segment arrow = slide_arrow(view);
+      return length(nearest_on_segment(arrow.from, arrow.to, at) - at) <= 8;
+    }
+    case PictureMark::coverage: {
+      const std::optional<Rect> box = coverage_box(view);
+      return box && contains(*box, at, 2);
+    }
+    case PictureMark::base_beyond:
+      return inside(placement.lifting_base, world) && !is_above_object(view, world);
+    case PictureMark::base:
+      return inside(placement.lifting_base, world);
+    case PictureMark::clockwise:
+      return inside(placement.closure.clockwise.clipped, world);
+    case PictureMark::counterclockwise:
+      return inside(placement.closure.counterclockwise.clipped, world);
+    case PictureMark::end_of_marks:
+      break;
+  }
+  return false;
+}
+
+// Below the place or, for a finger, above it.
+void draw_words(ImDrawList& list, const CanvasView& view, const Vec2& at,
+                const std::string& words) {
+  constexpr float widest = 300, pad = 10;
+  const Rect window = view.uncovered();
+  const float room = std::min(widest, static_cast<float>(window.width()) - 2 * pad - 16);
+  const ImVec2 text = text_size(Face::label, words, room);
+  const double width = static_cast<double>(text.x) + 2 * pad,
+               height = static_cast<double>(text.y) + 2 * pad;
+  const double left = std::clamp(at.x - width / 2, window.left + 8,
+                                 std::max(window.left + 8, window.right - width - 8));
+  const bool above = view.state.session.screen.touch || at.y + 22 + height > window.bottom;
+  const double top = std::max(window.top + 4, above ? at.y - height - (above ? 40 : 0) : at.y + 22);
+  const ImVec2 low = vec(left, top), high = vec(left + width, top + height);
+  list.AddRectFilled(low, high, view.theme.panel.packed(), 8);
+  list.AddRect(low, high, view.theme.quiet.packed(), 8, 0, 1);
+  draw_text(list, Face::label, ImVec2(low.x + pad, low.y + pad), view.theme.text, words, room);
+}
+
+// The mark where the pointer rests.
+std::optional<PictureMark> rested_on(const CanvasView& view, const std::vector<PictureMark>& marks,
+                                     const Vec2& at) {
+  const AppState& state = view.state;
+  const Pick::Kind held = state.view.held.kind;
+  if (!state.session.screen.asking || ImGui::GetIO().WantCaptureMouse ||
+      (held != Pick::Kind::none && held != Pick::Kind::ground && held != Pick::Kind::object))
+    return std::nullopt;
+  const auto found = std::find_if(marks.begin(), marks.end(),
+                                  [&](PictureMark mark) { return is_at(view, mark, at); });
+  return found == marks.end() ? std::nullopt : std::optional(*found);
+}
+
+}  // namespace
+
+void draw_explained(ImDrawList& list, const CanvasView& view) {
+  const AppState& state = view.state;
+  if (state.view.tool != Tool::parts || walkthrough_is_open(state)) return;
+  const std::vector<PictureMark> marks = marks_in_picture(state);
+  const Vec2 pointer(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+  if (const auto mark = rested_on(view, marks, pointer))
+    return draw_words(list, view, pointer, mark_in_words(*mark));
+  if (!state.view.explained || *state.view.explained >= marks.size()) return;
+  const PictureMark mark = marks[*state.view.explained];
+  const Vec2 at = place_of_mark(view, mark).value_or(view.uncovered().middle());
+  draw_ring(Painter(list, view.camera, view.window), view.camera.to_world(at),
+            view.theme.accent_on_object);
+  draw_words(list, view, at, mark_in_words(mark));
+}
+
+}  // namespace evenlift::view

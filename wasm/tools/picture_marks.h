@@ -1,0 +1,33 @@
+// The marks of the picture that explain themselves: where the pointer rests, where a finger rests, or
+// one after another by a key. marks/explained.h says where each is.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "state/state.h"
+
+namespace evenlift::view {
+
+// A mark; where marks overlap, the first in this order explains itself.
+enum class PictureMark : std::uint8_t {
+  robots,
+  centre,
+  triangle,
+  slide,
+  coverage,
+  base_beyond,  // the part of the lifting base that is not above the object
+  base,
+  clockwise,
+  counterclockwise,
+  end_of_marks  // counts the marks; keep it last
+};
+
+// The marks that are in the first picture now, in the order above. O(1).
+std::vector<PictureMark> marks_in_picture(const AppState& state);
+
+// What the mark means, in one or two sentences.
+std::string mark_in_words(PictureMark mark);
+
+}  // namespace evenlift::view
