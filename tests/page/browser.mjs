@@ -296,13 +296,23 @@ const place = async (page, name) => {
   return page.evaluate((n) => evenlift.view.control(n), name);
 };
 
-// Opens drawers of the panel, as users do.
+// Opens drawers of the panel, as screen readers do, by their names for scripts.
 export async function openDrawers(page, ...names) {
   for (const name of names) {
-    if (!(await place(page, name))) continue;
-    const open = page.locator(`#mirror button[aria-label^="${name}"][aria-pressed]`);
-    if ((await open.first().getAttribute("aria-pressed")) === "true") continue;
-    await open.first().evaluate((button) => button.click());
+    const head = await place(page, name);
+    if (!head) continue;
+    await page.$$eval(
+      "#mirror button[aria-pressed]",
+      (buttons, { x, y }) => {
+        const isHead = (button) => {
+          const box = button.getBoundingClientRect();
+          return Math.abs(box.x - x) < 1 && Math.abs(box.y - y) < 1;
+        };
+        const button = buttons.find(isHead);
+        if (button?.ariaPressed === "false") button.click();
+      },
+      head,
+    );
     await idle(page);
   }
 }

@@ -53,6 +53,7 @@ const mirrored = (page) =>
       };
     }),
   );
+const heightOfC = async (page) => Number(await field(page, "Height of the centre of mass").inputValue());
 const field = (page, label) => page.locator(`#mirror input[aria-label="${label}"]`);
 
 test("a number is clicked and typed over, with its unit and a decimal comma or without", async () => {
@@ -655,6 +656,27 @@ test("what went well is said for as long as it takes to read it, and what went w
   await page.evaluate(() => evenliftTimersRing());
   await idle(page);
   assert.ok(await controlIfShown(page, "close"), "it stays");
+  await page.done();
+});
+
+test("a length steps up and down through the same values, whatever the size of the object", async () => {
+  const page = await browser.open();
+  for (const size of [400, 20, 1.5]) {
+    await load(page, `(0,0)\n(${size},0)\n(${size},${size})\n(0,${size})\n`);
+    const values = [];
+    for (let i = 0; i < 13; ++i) {
+      values.push(await heightOfC(page));
+      await press(page, "com height +");
+      await idle(page);
+    }
+    assert.equal(new Set(values).size, 13, values.join(" "));
+    for (const wanted of values.slice(3).reverse()) {
+      await press(page, "com height -");
+      await idle(page);
+      assert.equal(await heightOfC(page), wanted);
+    }
+    await set(page, { com_height: 0 });
+  }
   await page.done();
 });
 

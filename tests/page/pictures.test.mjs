@@ -103,14 +103,15 @@ test("phone: the first sample", async () => {
   await check(await browser.open({ viewport: phone, hasTouch: true, isMobile: true, deviceScaleFactor: 2 }), "phone");
 });
 
-test("candidates, and a robot under the pointer", async () => {
-  const page = await browser.open({ viewport: wide });
+test("candidates, and a robot where the pointer rests", async () => {
+  const page = await browser.open({ viewport: wide, hasty: true });
   await load(page, asset("guitar"));
   await page.locator("#canvas").focus();
   await page.keyboard.press("a");
   await idle(page);
   const [x, y] = await page.evaluate(() => evenlift.view.to_screen(...evenlift.state().teams[0].ends[0]));
   await page.mouse.move(x, y);
+  await page.evaluate(() => evenliftTimersRing()); // it rests there
   await check(page, "candidates");
 });
 

@@ -164,7 +164,7 @@ TEST_CASE("every mark of the picture explains itself by a key, one after another
   REQUIRE(marks.size() >= 6);
   for (const PictureMark mark : marks) {
     page.press({"/"});
-    CHECK(drawn_texts(page).contains(mark_in_words(mark)));
+    CHECK(drawn_texts(page).contains(mark_in_words(page.app.state, mark)));
   }
   page.press({"/"});
   CHECK_FALSE(page.app.state.view.explained);
@@ -182,9 +182,9 @@ TEST_CASE("a mark explains itself where the pointer rests", "[view][panel][marks
     ImGui::GetIO().MousePos =
         ImVec2(static_cast<float>(on_screen.x), static_cast<float>(on_screen.y));
     state.session.screen.asking = false;
-    CHECK_FALSE(drawn_texts(page).contains(mark_in_words(mark)));
+    CHECK_FALSE(drawn_texts(page).contains(mark_in_words(page.app.state, mark)));
     state.session.screen.asking = true;
-    CHECK(drawn_texts(page).contains(mark_in_words(mark)));
+    CHECK(drawn_texts(page).contains(mark_in_words(page.app.state, mark)));
   };
   const auto at = [&](const Vec2& world) { return state.view.camera.to_screen(world); };
   rests(at(placement.teams[0].robots[0].point.position), PictureMark::robots);

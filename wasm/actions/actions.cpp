@@ -200,9 +200,10 @@ void type_edge(const AppState& s, Commands& out) {
 }
 
 void explain_next(const AppState& s, Commands& out) {
-  const std::size_t next = s.view.explained ? *s.view.explained + 1 : 0;
-  const bool is_one = next < marks_in_picture(s).size();
-  out.push_back(ExplainMark{is_one ? std::optional(next) : std::nullopt});
+  const std::optional<PictureMark> now = explained_mark(s);
+  for (const PictureMark mark : marks_in_picture(s))
+    if (!now || mark > *now) return out.push_back(ExplainMark{static_cast<std::uint8_t>(mark)});
+  out.push_back(ExplainMark{});
 }
 
 // The robot with the open card, or the next one; none after the last.
@@ -223,7 +224,7 @@ void close_card(Commands& out) {
 void dismiss(const AppState& s, Commands& out) {
   if (s.session.list_open)
     out.push_back(CloseList{});
-  else if (s.view.explained)
+  else if (explained_mark(s))
     out.push_back(ExplainMark{});
   else if (s.derived().explanation || failing(s))
     close_card(out);

@@ -237,7 +237,9 @@ void click_walkthrough(const AppState& state, const Pointer& pointer, Commands& 
 }
 
 void release(const AppState& state, const Pointer& pointer, Commands& commands) {
-  const bool still_there = pointer.moved < still;
+  // A finger that rested to ask does nothing else when it is lifted.
+  const bool asked_by_finger = state.session.screen.touch && state.session.screen.asking;
+  const bool still_there = pointer.moved < still && !asked_by_finger;
   const Pick::Kind held = state.view.held.kind;
   const bool clicked = (held == Pick::Kind::ground || held == Pick::Kind::object) && still_there;
   // A click on a vertex, without a drag, also asks about a robot there.

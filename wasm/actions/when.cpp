@@ -3,6 +3,7 @@
 #include "evenlift/moved.h"
 #include "tools/drawing.h"
 #include "tools/pick.h"
+#include "tools/picture_marks.h"
 #include "walkthrough/walkthrough.h"
 
 namespace evenlift::view::when {
@@ -120,7 +121,7 @@ bool has_marks(const AppState& s) {
 }
 
 bool anything_open(const AppState& s) {
-  return s.session.list_open || s.view.explained || s.derived().explanation || failing(s) ||
+  return s.session.list_open || explained_mark(s) || s.derived().explanation || failing(s) ||
          s.view.selected || s.view.tool != Tool::parts || !s.session.notice.text.empty() ||
          s.view.presenting ||
          (in_walkthrough(s) && (editing(s) || !s.view.walkthrough.why.empty()));

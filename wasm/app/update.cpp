@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "edits/undo.h"
 #include "edits/vertices.h"
@@ -325,9 +324,9 @@ struct Applier {
   }
   void operator()(const ExplainMark& c) const {
     state.view.explained = c.mark;
-    const std::vector<PictureMark> marks = marks_in_picture(state);
-    if (c.mark && *c.mark < marks.size()) announce(state, mark_in_words(marks[*c.mark]));
+    if (const auto mark = explained_mark(state)) announce(state, mark_in_words(state, *mark));
   }
+  void operator()(const ForgetField&) const { state.session.wanted_field.clear(); }
   void operator()(const SetErases& c) const { state.view.erases = c.erases; }
   void operator()(const ListIsOpen& c) const {
     state.session.list_open = c.open;
@@ -369,6 +368,7 @@ struct Applier {
   void operator()(const SetTouch& c) const {
     state.session.screen.touch = c.on;
     state.session.screen.asking = c.asking;
+    if (c.asking) state.view.explained.reset();  // the pointer asks now
   }
   void operator()(const CoverScreen& c) const { cover_screen(state, c.left, c.right, c.foot); }
   void operator()(const MakeRoom& c) const { make_room(state, c.height); }

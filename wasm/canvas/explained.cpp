@@ -22,14 +22,13 @@ Vec2 middle_of(const Points& points) {
          static_cast<double>(points.size());
 }
 
-bool is_above_object(const CanvasView& view, const Vec2& world) {
-  const auto has = [&](const Points& ring) { return inside(ring, world); };
-  return inside(view.placement->vertices(), world) &&
-         std::none_of(view.scene.holes.begin(), view.scene.holes.end(), has);
+bool is_in_hole(const CanvasView& view, const Vec2& world) {
+  return std::any_of(view.scene.holes.begin(), view.scene.holes.end(),
+                     [&](const Points& ring) { return inside(ring, world); });
 }
 
-// A place of the lifting base that is above the object or, otherwise, beyond it.
-std::optional<Vec2> place_in_base(const CanvasView& view, bool above) {
+// A place of the lifting base within the outline or, otherwise, beyond it.
+std::optional<Vec2> place_in_base(const CanvasView& view, bool within) {
   const Points& base = view.placement->lifting_base;
   if (base.size() < 3) return std::nullopt;
   const Vec2 middle = middle_of(base);
@@ -37,7 +36,7 @@ std::optional<Vec2> place_in_base(const CanvasView& view, bool above) {
     for (std::size_t i = 0; i < base.size(); ++i) {
       const Vec2 side = (base[i] + base[(i + 1) % base.size()]) / 2,
                  at = middle + share * (side - middle);
-      if (is_above_object(view, at) == above) return at;
+      if (inside(view.placement->vertices(), at) == within && !is_in_hole(view, at)) return at;
     }
   return std::nullopt;
 }
@@ -56,7 +55,7 @@ Vec2 centre_on_screen(const CanvasView& view) {
   return view.camera.to_screen(view.placement->centre_of_mass);
 }
 
-// Where a key explains the mark, in pixels; nothing if it is not in the window.
+// Where a key explains the mark, in pixels; nothing if it has no place.
 std::optional<Vec2> place_of_mark(const CanvasView& view, PictureMark mark) {
   const Placement& placement = *view.placement;
   const auto on_screen = [&](const std::optional<Vec2>& world) {
@@ -112,9 +111,10 @@ bool is_at(const CanvasView& view, PictureMark mark, const Vec2& at) {
       return box && contains(*box, at, 2);
     }
     case PictureMark::base_beyond:
-      return inside(placement.lifting_base, world) && !is_above_object(view, world);
+      return inside(placement.lifting_base, world) && !inside(placement.vertices(), world);
     case PictureMark::base:
-      return inside(placement.lifting_base, world);
+      return inside(placement.lifting_base, world) && inside(placement.vertices(), world) &&
+             !is_in_hole(view, world);
     case PictureMark::clockwise:
       return inside(placement.closure.clockwise.clipped, world);
     case PictureMark::counterclockwise:
@@ -137,41 +137,49 @@ void draw_words(ImDrawList& list, const CanvasView& view, const Vec2& at,
   const double left = std::clamp(at.x - width / 2, window.left + 8,
                                  std::max(window.left + 8, window.right - width - 8));
   const bool above = view.state.session.screen.touch || at.y + 22 + height > window.bottom;
-  const double top = std::max(window.top + 4, above ? at.y - height - (above ? 40 : 0) : at.y + 22);
+  const double top = std::max(window.top + 4, above ? at.y - height - 40 : at.y + 22);
   const ImVec2 low = vec(left, top), high = vec(left + width, top + height);
   list.AddRectFilled(low, high, view.theme.panel.packed(), 8);
   list.AddRect(low, high, view.theme.quiet.packed(), 8, 0, 1);
   draw_text(list, Face::label, ImVec2(low.x + pad, low.y + pad), view.theme.text, words, room);
 }
 
-// The mark where the pointer rests.
+bool is_area(PictureMark mark) { return mark >= PictureMark::coverage; }
+
+// The mark where the pointer rests. Parts of the drawing, such as a vertex or a chord, are above areas.
 std::optional<PictureMark> rested_on(const CanvasView& view, const std::vector<PictureMark>& marks,
                                      const Vec2& at) {
   const AppState& state = view.state;
-  const Pick::Kind held = state.view.held.kind;
   if (!state.session.screen.asking || ImGui::GetIO().WantCaptureMouse ||
-      (held != Pick::Kind::none && held != Pick::Kind::ground && held != Pick::Kind::object))
+      state.derived().explanation || state.work.edit_open || !view.window.contains(at))
     return std::nullopt;
-  const auto found = std::find_if(marks.begin(), marks.end(),
-                                  [&](PictureMark mark) { return is_at(view, mark, at); });
+  const Pick::Kind over = state.view.hover.kind;
+  const bool on_part =
+      over != Pick::Kind::none && over != Pick::Kind::object && over != Pick::Kind::ground;
+  const auto found = std::find_if(marks.begin(), marks.end(), [&](PictureMark mark) {
+    return !(on_part && is_area(mark)) && is_at(view, mark, at);
+  });
   return found == marks.end() ? std::nullopt : std::optional(*found);
 }
 
 }  // namespace
 
-void draw_explained(ImDrawList& list, const CanvasView& view) {
-  const AppState& state = view.state;
+void draw_explained(ImDrawList& list, const CanvasView& first) {
+  const AppState& state = first.state;
   if (state.view.tool != Tool::parts || walkthrough_is_open(state)) return;
-  const std::vector<PictureMark> marks = marks_in_picture(state);
+  CanvasView view = first;
+  if (state.work.second_method) view.window = first.layout.first;
+  if (const std::optional<PictureMark> mark = explained_mark(state)) {
+    const std::optional<Vec2> at = place_of_mark(view, *mark);
+    if (at)
+      draw_ring(Painter(list, view.camera, view.window), view.camera.to_world(*at),
+                view.theme.accent_on_object);
+    return draw_words(list, view, at.value_or(view.uncovered().middle()),
+                      mark_in_words(state, *mark));
+  }
   const Vec2 pointer(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
-  if (const auto mark = rested_on(view, marks, pointer))
-    return draw_words(list, view, pointer, mark_in_words(*mark));
-  if (!state.view.explained || *state.view.explained >= marks.size()) return;
-  const PictureMark mark = marks[*state.view.explained];
-  const Vec2 at = place_of_mark(view, mark).value_or(view.uncovered().middle());
-  draw_ring(Painter(list, view.camera, view.window), view.camera.to_world(at),
-            view.theme.accent_on_object);
-  draw_words(list, view, at, mark_in_words(mark));
+  if (const auto mark = rested_on(view, marks_in_picture(state), pointer))
+    draw_words(list, view, pointer, mark_in_words(state, *mark));
 }
 
 }  // namespace evenlift::view

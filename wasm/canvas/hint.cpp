@@ -109,7 +109,8 @@ std::string hint_of_vertex(const AppState& state, std::size_t i) {
 }
 
 bool on_centroid(const AppState& state) {
-  return state.view.held.kind == Pick::Kind::centre && !state.work.document().centre_of_mass;
+  return state.view.held.kind == Pick::Kind::centre && !state.work.document().centre_of_mass &&
+         !(state.derived().placement && state.derived().placement->weighing);
 }
 
 std::string hint_of_weight(const AppState& state, std::size_t i) {

@@ -206,6 +206,10 @@ void place_yourself(AppState& state, std::size_t robots) {
   own.supports = supports_to_place(placement.object, placement.centre_of_mass, robots, own);
   edit(state, false, Edit::robots_moved).settings = std::move(own);
   state.work.show().support_capacities.clear();
+  if (!state.view.challenge)  // its card says it
+    show(state,
+         {Notice::Kind::hint,
+          say("Drag the robots until all carry nearly the same and the object does not tip.")});
 }
 
 Points supports_now(const AppState& state) {

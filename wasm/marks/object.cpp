@@ -185,7 +185,9 @@ void draw_tilt(const Painter& painter, const CanvasView& view) {
   for (const TiltCircle& circle :
        tilt_circles({*view.placement, shown(view.state)}, view.camera.scale)) {
     const auto size = static_cast<float>(circle.radius * view.camera.scale);
-    painter.list().AddCircle(at, size, view.theme.hull_text.at(0.7f).packed(), 96, 1.25f);
+    painter.list().AddCircle(at, size,
+                             view.theme.hull_text.at(circle.is_set ? 1.0f : 0.7f).packed(), 96,
+                             circle.is_set ? 2.5f : 1.25f);
     if (!circle.is_labelled) continue;
     const std::string label = degrees_in_words(circle.degrees);
     const ImVec2 text = text_size(Face::tiny, label);

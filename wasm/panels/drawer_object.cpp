@@ -25,7 +25,9 @@ bool has_own_centre(const AppState& state) {
 void draw_tool_button(const Ui& ui, const DrawerRow& row, Tool tool, const char* begin) {
   const float width = labelled(ui, row.label, row.about);
   const bool on = ui.state.view.tool == tool;
-  if (flat_button(ui, begin, on ? "Done" : begin, width)) ui.push(SetTool{on ? Tool::parts : tool});
+  if (!flat_button(ui, begin, on ? "Done" : begin, width)) return;
+  ui.push(SetTool{on ? Tool::parts : tool});
+  if (!ui.layout.wide) ui.push(SetSheet{Sheet::closed});  // it covers the drawing
 }
 
 constexpr Choice length_units[] = {{"no unit"}, {"m"}, {"cm"}, {"mm"}, {"in"}};

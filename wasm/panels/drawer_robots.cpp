@@ -57,6 +57,10 @@ void draw_min_ratio(const Ui& ui, const DrawerRow& row) {
   if (moved.released) ui.push(EndEdit{});
 }
 
+std::string told_min_ratio(const AppState& state, const DrawerRow& row) {
+  return why_no_ratio(settings(state).method) ? std::string() : told_setting(state, row);
+}
+
 void draw_seed(const Ui& ui, const DrawerRow& row) {
   Settings changed = settings(ui.state);
   const float width = labelled(ui, row.label, row.about);
@@ -98,8 +102,13 @@ void draw_goal(const Ui& ui, const DrawerRow& row) {
 }
 
 std::string told_goal(const AppState& state, const DrawerRow&) {
-  return settings(state).goal ? goals[static_cast<std::size_t>(*settings(state).goal)].label
-                              : std::string();
+  const Settings& now = settings(state);
+  std::string told =
+      now.goal ? say(goals[static_cast<std::size_t>(*now.goal)].label) : std::string();
+  if (goal_of(now) == Goal::hold && now.min_margin != Settings().min_margin)
+    told += (told.empty() ? "" : " · ") +
+            say("{setting} {value}", {"Min. margin", plain(now.min_margin)});
+  return told;
 }
 
 void draw_survive(const Ui& ui, const DrawerRow& row) {
@@ -128,7 +137,7 @@ void draw_positions(const Ui& ui, const DrawerRow& row) {
 
 std::string told_positions(const AppState& state, const DrawerRow&) {
   const Positions now = settings(state).positions;
-  return now == Positions{} ? std::string() : positions[static_cast<std::size_t>(now)].label;
+  return now == Positions{} ? std::string() : say(positions[static_cast<std::size_t>(now)].label);
 }
 
 // --- A robot's capacity, and the number of robots needed.
@@ -247,6 +256,10 @@ void draw_left_of_boundary(const Ui& ui, const DrawerRow&) {
 
 void draw_sizes_kept(const Ui& ui, const DrawerRow&) {
   draw_remark(ui, say("Robots are points; their size is kept"), 1);
+}
+
+std::string told_sizes_kept(const AppState&, const DrawerRow&) {
+  return say("Robots are points; their size is kept");
 }
 
 }  // namespace evenlift::view

@@ -22,11 +22,14 @@ double step_for(double value, int direction) {
 }
 
 double stepped_length(const AppState& state, double length, int by) {
-  const double first = first_length(size_of_object(state)), steps = length / first;
-  // Ten of these steps, then tenths of the length: 10, 20, ... 100, 110.
-  if (steps < 10 || (by < 0 && steps <= 10))
-    return std::max(0.0, (by > 0 ? std::floor(steps) + 1 : std::ceil(steps) - 1) * first);
-  return stepped(length, by);
+  // Ten steps of this length, then tenths of the length: 10, 20, ... 100, 110.
+  const double first = first_length(size_of_object(state)), steps = length / first,
+               whole = std::round(steps);
+  if (steps > 10 || (by > 0 && whole >= 10)) return stepped(length, by);
+  const bool is_whole = std::abs(steps - whole) < 1e-9;
+  const double next = std::max(0.0, by > 0 ? (is_whole ? whole : std::floor(steps)) + 1
+                                           : (is_whole ? whole : std::ceil(steps)) - 1);
+  return first >= 1 ? next * first : next / std::round(1 / first);
 }
 
 std::optional<double> number_of(const AppState& state, Setting setting) {
@@ -36,19 +39,15 @@ std::optional<double> number_of(const AppState& state, Setting setting) {
 void change(const Ui& ui, Setting setting, const std::string& text) {
   Document changed{{}, {}, settings(ui.state), shown(ui.state)};
   read_setting(setting, text, changed);
-  push_settings(ui, setting, changed);
-}
-
-const char* spoken(const DrawerRow& row) { return row.spoken ? row.spoken : row.label; }
-
-}  // namespace
-
-void push_settings(const Ui& ui, Setting setting, const Document& changed) {
   if (row_of(setting).changes == Changes::shown)
     ui.push(SetShown{changed.shown});
   else
     ui.push(SetSettings{changed.settings});
 }
+
+const char* spoken(const DrawerRow& row) { return row.spoken ? row.spoken : row.label; }
+
+}  // namespace
 
 double size_of_object(const AppState& state) {
   return state.derived().placement ? state.derived().placement->polygon().diagonal() : 100;

@@ -80,7 +80,7 @@ void draw_comparison(const Ui& ui) {
   ImGui::PopStyleVar();
 }
 
-// --- The overlays' switches, also the legend of the picture.
+// --- The overlays' switches.
 
 namespace {
 
@@ -189,7 +189,6 @@ void draw_overlays(const Ui& ui, const DrawerRow&) {
     }
     if (ImGui::IsItemHovered()) tip(ui, about(ui.state, overlay));
   }
-  if (shown(ui.state).overlays.tipping) draw_heat_key(ui);
 }
 
 std::string told_overlays(const AppState& state, const DrawerRow&) {
@@ -205,7 +204,7 @@ std::string told_overlays(const AppState& state, const DrawerRow&) {
 }
 
 std::string told_compare(const AppState& state, const DrawerRow&) {
-  return state.work.second_method ? words_of(*state.work.second_method).label : std::string();
+  return state.work.second_method ? say(words_of(*state.work.second_method).label) : std::string();
 }
 
 namespace {
@@ -229,7 +228,7 @@ void draw_model(const Ui& ui, const DrawerRow& row) {
 std::string told_model(const AppState& state, const DrawerRow&) {
   return state.view.load_model == LoadModel::plan
              ? std::string()
-             : models[static_cast<std::size_t>(state.view.load_model)].label;
+             : say(models[static_cast<std::size_t>(state.view.load_model)].label);
 }
 
 }  // namespace evenlift::view

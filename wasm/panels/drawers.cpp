@@ -27,12 +27,16 @@ bool keeps_sizes(const AppState& s) {
                            !s.work.aside.no_go.value_or(std::vector<EdgePart>{}).empty());
 }
 
+// Holes and weights need an object that is not refused, and a walkthrough shows another one.
+bool can_draw(const AppState& s) {
+  return s.derived().placement && !s.derived().refusal && !walkthrough_is_open(s);
+}
+
 std::string percent_text(const AppState&, double value) { return slope_in_words(value); }
 std::string g_text(const AppState&, double value) {
   return value == 0 ? say("none") : significant(value, 3) + "\u00A0g";
 }
 std::string plain_text(const AppState&, double value) { return plain(value); }
-std::string whole_text(const AppState&, double value) { return shortest(value); }
 
 // With the digits of the ratio: 0.07 is 7%, although 100 times 0.07 is not 7.
 std::string exact_percentage(double ratio) {
@@ -61,9 +65,9 @@ constexpr DrawerRow rows[] = {
      .draw = draw_units, .told = told_units},
     {.drawer = Drawer::object, .setting = Setting::cargo, .label = "Cargo",
      .about = "Weights on the object, such as a motor; each is part of the load",
-     .draw = draw_cargo, .told = told_cargo},
+     .draw = draw_cargo, .told = told_cargo, .offered = can_draw},
     {.drawer = Drawer::object, .label = "Holes", .about = "Openings through the object",
-     .draw = draw_holes, .told = told_holes},
+     .draw = draw_holes, .told = told_holes, .offered = can_draw},
 
     {.drawer = Drawer::robots, .setting = Setting::capacity, .label = "A robot carries",
      .about = "The greatest load of one robot; type it to see the number of robots needed",
@@ -71,15 +75,15 @@ constexpr DrawerRow rows[] = {
      .without = "no limit", .unset_id = "any", .unset = "No limit"},
     {.drawer = Drawer::robots, .setting = Setting::min_ratio, .label = "Min. load ratio",
      .about = "The least load ratio of a team's two robots; 1 is even",
-     .draw = draw_min_ratio, .told = told_setting, .text = plain_text},
+     .draw = draw_min_ratio, .told = told_min_ratio, .text = plain_text},
     {.drawer = Drawer::robots, .setting = Setting::seed, .label = "Seed",
      .about = "Another seed places other teams at random",
-     .draw = draw_seed, .told = told_setting, .offered = is_random, .text = whole_text},
+     .draw = draw_seed, .told = told_setting, .offered = is_random},
     {.drawer = Drawer::robots, .setting = Setting::goal, .label = "Goal",
      .draw = draw_goal, .told = told_goal, .offered = has_goal},
     {.drawer = Drawer::robots, .setting = Setting::survive, .label = "Survive",
      .about = "The object should stay steady if any robots, up to this number, fail",
-     .draw = draw_survive, .told = told_setting, .offered = is_balanced, .text = whole_text},
+     .draw = draw_survive, .told = told_setting, .offered = is_balanced},
     {.drawer = Drawer::robots, .setting = Setting::robot_radius, .label = "Radius",
      .about = "Radius of the robot's round body",
      .draw = draw_radius, .told = told_setting, .offered = has_sizes, .text = length_text},
@@ -103,7 +107,7 @@ constexpr DrawerRow rows[] = {
      .about = "Edges, or parts of them, that robots must not touch, such as 3,5:0.25-0.75; or none",
      .draw = draw_no_go, .told = told_no_go, .offered = has_sizes},
     {.drawer = Drawer::robots, .draw = draw_left_of_boundary, .offered = has_sizes},
-    {.drawer = Drawer::robots, .draw = draw_sizes_kept, .offered = keeps_sizes},
+    {.drawer = Drawer::robots, .draw = draw_sizes_kept, .told = told_sizes_kept, .offered = keeps_sizes},
     {.drawer = Drawer::robots, .setting = Setting::accuracy, .label = "Accuracy",
      .about = "Robots may be off their places by this: what is found still holds",
      .draw = draw_length, .told = told_setting, .spoken = "How far robots may be off their places",
@@ -196,7 +200,7 @@ struct DrawerHead {
 // In the order of Drawer.
 constexpr DrawerHead heads[] = {
     {"Object", "C, its height, units, cargo, holes"},
-    {"Robots", "capacity, goal, size, no-go edges"},
+    {"Robots", "capacity, accuracy, size, goal"},
     {"Carrying", "slope, braking, uneven ground"},
     {"Weighing", "errors, and a second weighing", is_weighed},
     {"Show", "lifting base, chords, tipping", can_show},
@@ -285,6 +289,7 @@ void draw_drawers(const Ui& ui) {
     }
     show_opened(ui, heads[i].name, open, from);
   }
+  if (!ui.state.session.wanted_field.empty()) ui.push(ForgetField{});
 }
 
 }  // namespace evenlift::view

@@ -64,6 +64,7 @@ std::string told_holes(const AppState& state, const DrawerRow& row);
 
 void draw_capacity(const Ui& ui, const DrawerRow& row);
 void draw_min_ratio(const Ui& ui, const DrawerRow& row);
+std::string told_min_ratio(const AppState& state, const DrawerRow& row);
 void draw_goal(const Ui& ui, const DrawerRow& row);
 std::string told_goal(const AppState& state, const DrawerRow& row);
 void draw_seed(const Ui& ui, const DrawerRow& row);
@@ -72,6 +73,7 @@ void draw_no_go(const Ui& ui, const DrawerRow& row);
 std::string told_no_go(const AppState& state, const DrawerRow& row);
 void draw_left_of_boundary(const Ui& ui, const DrawerRow& row);
 void draw_sizes_kept(const Ui& ui, const DrawerRow& row);
+std::string told_sizes_kept(const AppState& state, const DrawerRow& row);
 void draw_positions(const Ui& ui, const DrawerRow& row);
 std::string told_positions(const AppState& state, const DrawerRow& row);
 void draw_survive(const Ui& ui, const DrawerRow& row);

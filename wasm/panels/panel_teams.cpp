@@ -377,7 +377,8 @@ void end_rows(const Ui& ui, std::size_t count) {
   ImGui::Dummy(ImVec2(1, height));
   if (count <= room) return;
   const bool all = ui.state.view.all_loads;
-  const std::string label = all ? say("Fewer rows") : say("All {number} rows", {count});
+  const std::string label =
+      all ? say("Fewer rows") : say("All {number} rows", {std::min(count, most_rows)});
   const ImVec2 text = text_size(Face::label, label);
   const ImVec2 below = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos(ImVec2(right - text.x - 8, at.y));

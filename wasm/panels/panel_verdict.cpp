@@ -1,8 +1,6 @@
 // A large sentence, and an icon with the same meaning.
 #include <algorithm>
-#include <iterator>
 #include <string>
-#include <vector>
 
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
@@ -38,7 +36,7 @@ Sign sign_of(const Theme& theme, Mood mood) {
 // The verdict has three lines, whatever the result: up to two of the headline, and what follows; and
 // all of it at a press. The headline alone has two.
 constexpr float after_sign = 32, below_headline = 4;
-constexpr std::size_t lines_of_verdict = 3, lines_of_headline = 2;
+constexpr std::size_t lines_of_verdict = 3, lines_of_headline = 2, all_lines = 99;
 
 float line_of_verdict() { return line_height(Face::text); }
 
@@ -96,7 +94,10 @@ bool draw_in(const Ui& ui, const Verdict& v, const std::string& rest, std::size_
       ImVec2(at.x, at.y + line_of_verdict() * static_cast<float>(of_headline) + below_headline));
   text_block_of(Face::text, ui.theme.second_text, rest, width, room);
   const bool is_cut = of_rest > room || headline > of_headline;
-  const std::size_t lines = std::max(of_headline + room, std::min(most, lines_of_verdict));
+  // A headline alone keeps the height of two lines.
+  const std::size_t usual =
+      rest.empty() && most != lines_of_verdict ? lines_of_headline : lines_of_verdict;
+  const std::size_t lines = std::max(of_headline + room, usual);
   const float height = line_of_verdict() * static_cast<float>(lines) + below_headline;
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
   ImGui::Dummy(ImVec2(width, 0));
@@ -137,15 +138,15 @@ void draw_more(const Ui& ui, ImVec2 low, bool whole) {
 }  // namespace
 
 void draw_headline(const Ui& ui) {
-  draw_in(ui, verdict(ui.state, Words::in_panel), {}, lines_of_headline);
+  const std::size_t lines = ui.layout.brief ? lines_of_headline : all_lines;
+  draw_in(ui, verdict(ui.state, Words::in_panel), {}, lines);
 }
 
 void draw_verdict_words(const Ui& ui) {
-  constexpr std::size_t all = 99;
   const Verdict v = verdict(ui.state, Words::in_panel);
   const bool whole = ui.layout.wide && ui.state.view.whole_verdict;
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  const bool is_cut = draw_in(ui, v, v.detail, whole ? all : lines_of_verdict);
+  const bool is_cut = draw_in(ui, v, v.detail, whole ? all_lines : lines_of_verdict);
   if (is_cut || whole) draw_more(ui, low, whole);
   // Its place stays free, so that nothing below moves.
   ImGui::Dummy(ImVec2(1, ui.control() + 6));

@@ -17,17 +17,21 @@ bool compares(const AppState& s) {
   return s.derived().second.has_value() && s.work.second_method.has_value();
 }
 
+bool shows_forces(const AppState& s) {
+  return shown(s).overlays.tipping && (!walkthrough_is_open(s) || knows_base(s));
+}
 bool has_score(const AppState& s) {
   return s.derived().placement && settings(s).method == Method::given && !s.view.challenge;
 }
 
-// The answer, three controls, and the loads; then all else that can be set. The loads' height depends
-// on settings alone, so that no control moves when a result changes.
+// The answer, three controls, and the loads; then all else that can be set. Nothing that is pressed
+// moves because a result changes.
 constexpr Panel side_panel[] = {
     {"verdict", draw_verdict, false},
     {"settings", draw_controls, false},
     {"weighing", draw_weighing, true, is_weighed},
     {"comparison", draw_comparison, true, compares},
+    {"forces", draw_heat_key, true, shows_forces},
     {"teams", draw_teams, true},
     {"score", draw_score, true, has_score},
     {"drawers", draw_drawers, false},
@@ -38,7 +42,6 @@ bool ranks(const AppState& s) {
   return scores && !scores->ranking.empty();
 }
 bool has_history(const AppState& s) { return s.view.walkthrough.visited.size() > 1; }
-bool shows_forces(const AppState& s) { return shown(s).overlays.tipping && knows_base(s); }
 bool is_formal(const AppState& s) { return s.view.formal_open; }
 constexpr Panel walkthrough_panel[] = {
     {"step", draw_walkthrough_step, true},
@@ -46,6 +49,7 @@ constexpr Panel walkthrough_panel[] = {
     {"ranking", draw_walkthrough_ranking, true, ranks},
     {"code", draw_walkthrough_code, true, is_formal},
     {"settings", draw_controls, false},
+    {"weighing", draw_weighing, true, is_weighed},
     {"drawers", draw_drawers, false},
     {"history", draw_walkthrough_history, true, has_history},
 };

@@ -25,9 +25,6 @@ void action_row(const Ui& ui, ActionId id);
 // The name of a setting's control for scripts, such as "robot radius".
 std::string id_of(Setting setting);
 
-// Gives the settings or what is shown, whichever of the two has this setting.
-void push_settings(const Ui& ui, Setting setting, const Document& changed);
-
 // size_of_object() returns the diagonal of the polygon's bounding box, or 100 before the first
 // placement. first_length() returns the length to which a step up from 0 leads: a power of ten,
 // from 1/500 to 1/50 of the size.
@@ -54,9 +51,9 @@ struct Panel {
 void draw_panels(const AppState& state, const Layout& places, Commands& commands);
 
 // The sections, each in its own file.
-void draw_verdict(const Ui& ui);          // the whole verdict, of constant height
-void draw_headline(const Ui& ui);         // its first sentence, of constant height
-void draw_verdict_words(const Ui& ui);    // all its sentences, of constant height
+void draw_verdict(const Ui& ui);        // its words, the offer, and what remains if a robot fails
+void draw_headline(const Ui& ui);       // its first sentence
+void draw_verdict_words(const Ui& ui);  // three lines, or all of them after a press, and the offer
 void draw_verdict_details(const Ui& ui);  // its other sentences, and what remains if a robot fails
 // In an <iframe> without a lesson: the result, and the link to the page.
 void draw_embedded_verdict(const Ui& ui);

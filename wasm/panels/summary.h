@@ -17,7 +17,7 @@ struct Verdict {
   bool searching = false;  // balanced robots may change
 };
 
-// In the panel, which has the weight, the headline omits it (but not that of cargo), and the detail
+// In the panel, which has the weight (on a phone once it is pulled up), the headline omits it (but not that of cargo), and the detail
 // begins with what is amiss. Elsewhere the words are those of the program.
 enum class Words : std::uint8_t { in_panel, of_program };
 Verdict verdict(const AppState& state, Words words = Words::of_program);

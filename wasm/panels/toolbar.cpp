@@ -11,6 +11,7 @@
 #include "panels/panels.h"
 #include "panels/summary.h"
 #include "state/screen.h"
+#include "tools/pick.h"
 #include "widgets/buttons.h"
 #include "widgets/text.h"
 
@@ -309,23 +310,33 @@ struct CardPlace {
 
 constexpr double height_of_card = 332;  // usually
 
-// How many robots, and C, a card of usual height covers there. O(robots).
-std::size_t covered_robots(const Ui& ui, Rect card, bool at_bottom) {
+// The robots and C of the picture that the card explains, in pixels.
+Points marks_of_card(const Ui& ui) {
+  const Explanation& explanation = *ui.state.derived().explanation;
+  const Placement* placement = current_placement(ui.state, explanation.of.second);
+  if (!placement) return {};
+  const Vec2 beside(ui.layout.second.left - ui.layout.first.left,
+                    ui.layout.second.top - ui.layout.first.top);
+  const auto on_screen = [&](const Vec2& world) {
+    const Vec2 at = ui.state.view.camera.to_screen(world);
+    return explanation.of.second ? Vec2(at + beside) : at;
+  };
+  Points marks{on_screen(placement->centre_of_mass)};
+  for (const LiftingPoint& robot : lifting_points(placement->teams))
+    marks.push_back(on_screen(robot.position));
+  return marks;
+}
+
+// How many of them a card of usual height covers there. O(marks).
+std::size_t covered_marks(const Points& marks, Rect card, bool at_bottom) {
   constexpr double robot = 16;
   if (at_bottom)
     card.top = std::max(card.top, card.bottom - height_of_card);
   else
     card.bottom = std::min(card.bottom, card.top + height_of_card);
-  const Placement& placement = *ui.state.derived().placement;
-  const auto covers = [&](const Vec2& world) -> std::size_t {
-    const Vec2 at = ui.state.view.camera.to_screen(world);
-    return at.x > card.left - robot && at.x < card.right + robot && at.y > card.top - robot &&
-           at.y < card.bottom + robot;
-  };
-  std::size_t covered = covers(placement.centre_of_mass);
-  for (const LiftingPoint& point : lifting_points(placement.teams))
-    covered += covers(point.position);
-  return covered;
+  card = {card.left - robot, card.top - robot, card.right + robot, card.bottom + robot};
+  return static_cast<std::size_t>(std::count_if(
+      marks.begin(), marks.end(), [&](const Vec2& mark) { return card.contains(mark); }));
 }
 
 CardPlace place_of(const Ui& ui, const Vec2& spot) {
@@ -362,7 +373,8 @@ CardPlace place_of(const Ui& ui, const Vec2& spot) {
     return {{from, std::clamp(spot.y - 20, top, foot), from + width, foot}, false};
   };
   const CardPlace usual = placed(x, low);
-  const std::size_t covered = covered_robots(ui, usual.rect, usual.at_bottom);
+  const Points marks = marks_of_card(ui);
+  const std::size_t covered = covered_marks(marks, usual.rect, usual.at_bottom);
   if (covered == 0) return usual;
   // The nearest place that covers fewer, which need not be beside the spot.
   constexpr double step = 24;
@@ -373,7 +385,7 @@ CardPlace place_of(const Ui& ui, const Vec2& spot) {
     for (double from = left; from + width <= right; from += step) {
       const Rect rect{from, y, from + width, bottom};
       if (from < ui.layout.tools.right && y + height_of_card > ui.layout.tools.top) continue;
-      const std::size_t here = covered_robots(ui, rect, false);
+      const std::size_t here = covered_marks(marks, rect, false);
       const double away = length(Vec2(from + width / 2, y + height_of_card / 2) - spot);
       if (here > least || (here == least && (least == covered || away >= nearest))) continue;
       best = {rect, false};

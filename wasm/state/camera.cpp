@@ -231,14 +231,14 @@ void show(AppState& state, Notice notice) {
   if (again || notice.text != state.session.notice.text) announce(state, notice.text);
   state.session.notice = std::move(notice);
   const bool ends =
-      !state.session.notice.text.empty() && state.session.notice.kind == Notice::Kind::info;
+      !state.session.notice.text.empty() && state.session.notice.kind != Notice::Kind::problem;
   emit(state,
        EndNoticeAfter{ends ? std::optional(reading_time(translated(state.session.notice.text)))
                            : std::nullopt});
 }
 
 void end_notice(AppState& state) {
-  if (state.session.notice.kind == Notice::Kind::info) state.session.notice = {};
+  if (state.session.notice.kind != Notice::Kind::problem) state.session.notice = {};
 }
 
 }  // namespace evenlift::view

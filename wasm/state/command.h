@@ -242,10 +242,12 @@ struct SetSectionOpen {
   bool View::*section;
   bool open;
 };
-// Explains this mark of marks_in_picture() (tools/picture_marks.h), or none.
+// Explains this mark, a PictureMark (tools/picture_marks.h), or none.
 struct ExplainMark {
-  std::optional<std::size_t> mark{};
+  std::optional<std::uint8_t> mark{};
 };
+// No field is asked for any more (TypeValue).
+struct ForgetField {};
 struct SetDrawerOpen {
   Drawer drawer;
   bool open;
@@ -333,11 +335,11 @@ using AnyCommand = std::variant<
     SetMotion, OpenWalkthrough, CloseWalkthrough, GoToStep, MoveSteps, MoveChapters, SetPlaying,
     SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy, Measure, HoverFigure, Explain, ShowInLesson,
     LeaveScript, ShowAllSteps, SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView,
-    ZoomView, SetPanelOpen, SetSectionOpen, ExplainMark, SetDrawerOpen, SetErases, ListIsOpen,
-    CloseList, SetSheet, MeasureSheet, MeasureNotice, CopyLink, TypeValue, OpenDialog, OpenPage,
-    LayOutAgain, TakeRobots, TakeChoice, ShowNotice, EndNotice, SetCanvas, SetPreferences, SetTouch,
-    CoverScreen, MakeRoom, LayPicture, TakePictureAway, SetMeasuring, KeepMotion, KeepComparison,
-    ForgetSteps, AddStep>;
+    ZoomView, SetPanelOpen, SetSectionOpen, ExplainMark, ForgetField, SetDrawerOpen, SetErases,
+    ListIsOpen, CloseList, SetSheet, MeasureSheet, MeasureNotice, CopyLink, TypeValue, OpenDialog,
+    OpenPage, LayOutAgain, TakeRobots, TakeChoice, ShowNotice, EndNotice, SetCanvas, SetPreferences,
+    SetTouch, CoverScreen, MakeRoom, LayPicture, TakePictureAway, SetMeasuring, KeepMotion,
+    KeepComparison, ForgetSteps, AddStep>;
 // One command, which its copies share. What would copy or destroy any of the kinds is compiled only
 // once, in command.cpp: compiled in every file that makes a command, it took half of the panels'
 // compile time.

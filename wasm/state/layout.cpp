@@ -176,7 +176,8 @@ Layout wide(const AppState& state) {
   if (walkthrough_is_open(state))
     seat_player(l, l.panel.left - l.margin, (l.low ? 1 : 2) * l.control + 24);
   // The tool's bar covers nothing of the object.
-  if (state.view.tool != Tool::parts && state.view.tool != Tool::draw)
+  const bool traces = state.work.backdrop && draws(state.view.tool);  // room_for_backdrop()
+  if (state.view.tool != Tool::parts && state.view.tool != Tool::draw && !traces)
     l.free.top += tool_bar_height(l) + (state.view.tool == Tool::transform ? knob : 0);
   // A frame's corners are farther out than robots, and must be clear of the view tools.
   const double below = state.view.tool == Tool::transform ? 108 : 84;

@@ -269,8 +269,8 @@ struct View {
   Wanted<std::size_t> fails;               // the failed robot's number from 0
   Wanted<Pick> card;                       // the part that the card explains
   Walkthrough walkthrough;
-  std::optional<std::size_t> explained;  // of marks_in_picture(), for which a key asked
-  bool presenting = false;               // presentation mode: enlarged, in full screen
+  std::optional<std::uint8_t> explained;  // the PictureMark for which a key asked
+  bool presenting = false;                // presentation mode: enlarged, in full screen
 
   Camera camera;
   bool camera_follows = true;  // the camera fits the drawing until the user pans or zooms

@@ -1,5 +1,6 @@
 #include "tools/picture_marks.h"
 
+#include <algorithm>
 #include <iterator>
 
 #include "evenlift/output/words.h"
@@ -17,8 +18,12 @@ bool has_slide(const AppState& s) {
   const Closure& closure = placement_of(s).closure;
   return stands(s) && closure.translation_free && closure.translation && is_about_hold(s);
 }
-bool has_base(const AppState& s) { return shown(s).overlays.lifting_base && stands(s); }
-bool has_coverage(const AppState& s) { return has_base(s) && placement_of(s).loads; }
+// In green, and so that a press within it tips nothing.
+bool has_base(const AppState& s) {
+  const Overlays& overlays = shown(s).overlays;
+  return overlays.lifting_base && !overlays.tipping && !overlays.load &&
+         placement_of(s).lifting_base.size() >= 3 && placement_of(s).loads && !shown_report(s).tips;
+}
 bool has_clockwise(const AppState& s) {
   return shown(s).overlays.clockwise && stands(s) && placement_of(s).closure.clockwise.exists;
 }
@@ -30,17 +35,21 @@ bool has_counterclockwise(const AppState& s) {
 struct MarkRow {
   bool (*is_there)(const AppState&);
   const char* words;
+  const char* of_one_team = nullptr;  // for balanced robots and those placed by hand, if it differs
+  const char* with_cargo = nullptr;   // if it differs
 };
 // In the order of PictureMark.
 constexpr MarkRow rows[] = {
     {stands,
-     "A disc is a robot. Its ring shows its load as a share of the greatest load; as many strokes as the number of its team (a broad one counts five) are on its outer side."},
+     "A disc is a robot. Its ring shows its load as a share of the greatest load; strokes on its outer side tell its team.",
+     "A disc is a robot. Its ring shows its load as a share of the greatest load."},
     {has_centre,
-     "C is the centre of mass: the object would balance on this point. It can be dragged."},
+     "C is the centre of mass: the object would balance on this point. It can be dragged.", nullptr,
+     "C is the centre of mass of the object with its cargo: together they would balance on this point."},
     {has_triangle, "The black triangle is a knife edge: set on its tip, the object would balance."},
     {has_slide,
      "The arrow: the object can slide this way, since no robot touches it so as to stop that."},
-    {has_coverage,
+    {has_base,
      "The coverage: the share of the object that can be pressed down on without tipping it, if robots push back and none is overloaded."},
     {has_base,
      "Dark green: the part of the lifting base beyond the object. Nothing can press down on it."},
@@ -63,8 +72,21 @@ std::vector<PictureMark> marks_in_picture(const AppState& state) {
   return marks;
 }
 
-std::string mark_in_words(PictureMark mark) {
-  return say(rows[static_cast<std::size_t>(mark)].words);
+std::optional<PictureMark> explained_mark(const AppState& state) {
+  if (!state.view.explained || state.view.tool != Tool::parts || walkthrough_is_open(state))
+    return std::nullopt;
+  const std::vector<PictureMark> marks = marks_in_picture(state);
+  const auto mark = static_cast<PictureMark>(*state.view.explained);
+  return std::find(marks.begin(), marks.end(), mark) != marks.end() ? std::optional(mark)
+                                                                    : std::nullopt;
+}
+
+std::string mark_in_words(const AppState& state, PictureMark mark) {
+  const MarkRow& row = rows[static_cast<std::size_t>(mark)];
+  const bool one_team = is_one_team(settings(state).method), cargo = !settings(state).cargo.empty();
+  return say(one_team && row.of_one_team ? row.of_one_team
+             : cargo && row.with_cargo   ? row.with_cargo
+                                         : row.words);
 }
 
 }  // namespace evenlift::view

@@ -1,8 +1,9 @@
-// The marks of the picture that explain themselves: where the pointer rests, where a finger rests, or
-// one after another by a key. marks/explained.h says where each is.
+// The marks of the first picture that explain themselves: where the pointer or a finger rests, or one
+// after another by a key. canvas/explained.cpp knows where each is.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ enum class PictureMark : std::uint8_t {
   triangle,
   slide,
   coverage,
-  base_beyond,  // the part of the lifting base that is not above the object
+  base_beyond,  // the part of the lifting base outside the outline
   base,
   clockwise,
   counterclockwise,
@@ -27,7 +28,10 @@ enum class PictureMark : std::uint8_t {
 // The marks that are in the first picture now, in the order above. O(1).
 std::vector<PictureMark> marks_in_picture(const AppState& state);
 
+// The mark for which the key asked (View::explained), if it is in the picture. O(1).
+std::optional<PictureMark> explained_mark(const AppState& state);
+
 // What the mark means, in one or two sentences.
-std::string mark_in_words(PictureMark mark);
+std::string mark_in_words(const AppState& state, PictureMark mark);
 
 }  // namespace evenlift::view

@@ -334,11 +334,11 @@ void draw_swatch(const Ui& ui, Swatch swatch, ImVec2 low, bool on) {
 
 }  // namespace
 
-bool chip(const Ui& ui, const char* id, Swatch swatch, const char* label, bool on, bool enabled) {
+bool chip(const Ui& ui, const char* id, Swatch swatch, const char* label, bool on) {
   const ImVec2 text = text_size(Face::label, label);
   const float height = ui.control() - 2;
   const Area a =
-      area(ui, ImVec2(16 + 9 + 6 + text.x + 11, height), pressed_control(id, label, enabled, on));
+      area(ui, ImVec2(16 + 9 + 6 + text.x + 11, height), pressed_control(id, label, true, on));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Colour fill = a.hovered ? ui.theme.panel_line : on ? ui.theme.well : ui.theme.panel;
   list.AddRectFilled(a.low, a.high, fill.packed(), height / 2);
@@ -346,10 +346,7 @@ bool chip(const Ui& ui, const char* id, Swatch swatch, const char* label, bool o
   const float y = a.middle().y;
   draw_swatch(ui, swatch, ImVec2(a.low.x + 9, y - 8), on);
   draw_text(list, Face::label, ImVec2(a.low.x + 31, y - text.y / 2),
-            !enabled ? ui.theme.quiet
-            : on     ? ui.theme.text
-                     : ui.theme.second_text,
-            label);
+            on ? ui.theme.text : ui.theme.second_text, label);
   return a.pressed;
 }
 

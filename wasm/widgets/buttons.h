@@ -102,7 +102,6 @@ enum class Swatch : std::uint8_t {
   load
 };
 // Lays out a chip. Returns whether it was pressed.
-bool chip(const Ui& ui, const char* id, Swatch swatch, const char* label, bool on,
-          bool enabled = true);
+bool chip(const Ui& ui, const char* id, Swatch swatch, const char* label, bool on);
 
 }  // namespace evenlift::view
