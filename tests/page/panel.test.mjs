@@ -663,6 +663,7 @@ test("a length steps up and down through the same values, whatever the size of t
   const page = await browser.open();
   for (const size of [400, 20, 1.5]) {
     await load(page, `(0,0)\n(${size},0)\n(${size},${size})\n(0,${size})\n`);
+    await openDrawers(page, "Object");
     const values = [];
     for (let i = 0; i < 13; ++i) {
       values.push(await heightOfC(page));

@@ -392,6 +392,8 @@ std::string tip(const Action& action, const AppState& state) {
 }
 
 const Action* action_for(const AppState& state, const Key& key) {
+  // A key is not for what lies behind an open list.
+  if (state.session.list_open && key.name != "Escape") return nullptr;
   for (const Action& candidate : table) {
     const bool matches = std::any_of(std::begin(candidate.keys), std::end(candidate.keys),
                                      [&](const Key& wanted) { return same(wanted, key); });

@@ -40,10 +40,6 @@ void draw_middle(const Painter& painter, const CanvasView& view, const Vec2& wor
 
 void draw_walkthrough(const Painter& painter, const CanvasView& view);
 
-// --- Explains a mark of the picture: the one where the pointer rests, or the one that a key asked for.
-// O(n + m).
-void draw_explained(ImDrawList& list, const CanvasView& view);
-
 // --- The canvas: the background, and the pictures with their numbers and grips.
 
 // Draws into Dear ImGui's background, under every panel. `second` is the scene of the second

@@ -197,8 +197,10 @@ std::string result_in_words(const Reported& of, std::size_t further) {
   const Placement& placement = of.placement;
   const Units& units = of.shown.units;
   if (!placement.loads) return "no team";
-  const LoadSummary& loads = *placement.loads;
-  const std::string words = load_in_words(loads.min, loads.max, loads.max, units);
+  double least = of.report.greatest;
+  for (const LoadRange& load : of.report.loads) least = std::min(least, load.least);
+  const std::string words =
+      load_in_words(LoadRange{least, of.report.greatest}, of.report.greatest, units);
   if (further == 0) return words;
   return say(further == 1     ? "{loads} · coverage {coverage}"
              : of.report.held ? "{loads} · coverage {coverage} · held"
@@ -308,7 +310,9 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
   if (state.view.tool == Tool::mark && !view.second) draw_numbers_to_type(painter, view);
   draw_own_centre(painter, view);
   draw_centre(painter, view);
-  if (view.current() && !draw_carrying_here(painter, view)) draw_push(painter, view);
+  // Words that explain a mark stand alone.
+  if (view.current() && !rested_mark(view) && !draw_carrying_here(painter, view))
+    draw_push(painter, view);
   if (view.current()) draw_why_unusable(painter, view);
   draw_left_out(painter, view);
   if (state.derived().refusal) draw_reason(painter, view);

@@ -10,6 +10,7 @@
 #include "evenlift/report.h"
 #include "picture/canvas_view.h"
 #include "picture/painter.h"
+#include "tools/picture_marks.h"
 
 namespace evenlift::view {
 
@@ -235,6 +236,15 @@ struct NumberedEdge {
 // covers neither an earlier number nor one of the boxes `before`, which are in pixels.
 void draw_edge_numbers(const Painter& painter, const Theme& theme, Colour colour,
                        const std::vector<NumberedEdge>& edges, std::vector<Rect> before = {});
+
+// --- Explains a mark of the first picture.
+
+// The mark where the pointer rests, if that is explained (tools/picture_marks.h). O(n + m).
+std::optional<PictureMark> rested_mark(const CanvasView& view);
+
+// Draws the words of the mark for which a key asked or, without one, of the mark where the pointer
+// rests. O(n + m).
+void draw_explained(ImDrawList& list, const CanvasView& view);
 
 // --- Draws everything of a fixed size on a picture: grips, robots, the centre of mass, numbers.
 

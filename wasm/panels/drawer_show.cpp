@@ -186,6 +186,8 @@ void draw_overlays(const Ui& ui, const DrawerRow&) {
       Shown changed = shown(ui.state);
       changed.overlays.*overlay.shown = !on;
       ui.push(SetShown{changed});
+      // A full sheet would cover what the press shows.
+      if (!ui.layout.wide && ui.state.view.sheet == Sheet::full) ui.push(SetSheet{Sheet::half});
     }
     if (ImGui::IsItemHovered()) tip(ui, about(ui.state, overlay));
   }

@@ -223,7 +223,7 @@ std::string line_of(const AppState& state, Drawer drawer) {
 }
 
 void draw_head(const Ui& ui, Drawer drawer, bool open) {
-  constexpr float line_at = 92, chevron = 20;
+  constexpr float line_at = 100, chevron = 20;
   const DrawerHead& head = heads[static_cast<std::size_t>(drawer)];
   const std::string line = line_of(ui.state, drawer);
   const std::string spoken = line.empty() ? head.name : say("{drawer}: {line}", {head.name, line});

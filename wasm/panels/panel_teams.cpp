@@ -144,15 +144,17 @@ namespace {
 
 void fact(const Ui& ui, const char* label, const std::string& value, const char* about) {
   const float width = ImGui::GetContentRegionAvail().x;
+  const bool fits =
+      text_size(Face::label, label).x + text_size(Face::strong_label, value).x + 12 <= width;
   ImGui::PushID(label);
-  ImGui::InvisibleButton("fact", ImVec2(width, 21));
+  ImGui::InvisibleButton("fact", ImVec2(width, fits ? 21 : 42));
   ImGui::PopID();
   const ImVec2 low = ImGui::GetItemRectMin();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_text(list, Face::label, ImVec2(low.x, low.y + 2), ui.theme.second_text, label);
   const ImVec2 size = text_size(Face::strong_label, value);
-  draw_text(list, Face::strong_label, ImVec2(low.x + width - size.x, low.y + 2), ui.theme.text,
-            value);
+  draw_text(list, Face::strong_label, ImVec2(low.x + width - size.x, low.y + (fits ? 2 : 23)),
+            ui.theme.text, value);
   list_text(label, value);
   if (ImGui::IsItemHovered()) tip(ui, about);
 }

@@ -1,12 +1,11 @@
-// Explains the marks of the picture.
+#include "marks/marks.h"
+
 #include <algorithm>
 #include <numeric>
 #include <optional>
 
-#include "canvas/canvas.h"
 #include "evenlift/plane.h"
 #include "evenlift/wording.h"
-#include "marks/marks.h"
 #include "tools/picture_marks.h"
 #include "ui/theme.h"
 
@@ -144,41 +143,45 @@ void draw_words(ImDrawList& list, const CanvasView& view, const Vec2& at,
   draw_text(list, Face::label, ImVec2(low.x + pad, low.y + pad), view.theme.text, words, room);
 }
 
+const Rect& first_window(const CanvasView& view) {
+  return view.state.work.second_method ? view.layout.first : view.window;
+}
+
 bool is_area(PictureMark mark) { return mark >= PictureMark::coverage; }
 
-// The mark where the pointer rests. Parts of the drawing, such as a vertex or a chord, are above areas.
-std::optional<PictureMark> rested_on(const CanvasView& view, const std::vector<PictureMark>& marks,
-                                     const Vec2& at) {
+}  // namespace
+
+// Parts of the drawing, such as a vertex or a chord, are above areas.
+std::optional<PictureMark> rested_mark(const CanvasView& view) {
   const AppState& state = view.state;
-  if (!state.session.screen.asking || ImGui::GetIO().WantCaptureMouse ||
-      state.derived().explanation || state.work.edit_open || !view.window.contains(at))
+  const Vec2 at(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+  if (view.second || !view.current() || !state.session.screen.asking ||
+      ImGui::GetIO().WantCaptureMouse || state.derived().explanation || state.work.edit_open ||
+      state.view.tool != Tool::parts || walkthrough_is_open(state) || state.view.explained ||
+      !first_window(view).contains(at))
     return std::nullopt;
   const Pick::Kind over = state.view.hover.kind;
   const bool on_part =
       over != Pick::Kind::none && over != Pick::Kind::object && over != Pick::Kind::ground;
+  const std::vector<PictureMark> marks = marks_in_picture(state);
   const auto found = std::find_if(marks.begin(), marks.end(), [&](PictureMark mark) {
     return !(on_part && is_area(mark)) && is_at(view, mark, at);
   });
   return found == marks.end() ? std::nullopt : std::optional(*found);
 }
 
-}  // namespace
-
 void draw_explained(ImDrawList& list, const CanvasView& first) {
   const AppState& state = first.state;
-  if (state.view.tool != Tool::parts || walkthrough_is_open(state)) return;
   CanvasView view = first;
-  if (state.work.second_method) view.window = first.layout.first;
+  view.window = first_window(first);
   if (const std::optional<PictureMark> mark = explained_mark(state)) {
     const std::optional<Vec2> at = place_of_mark(view, *mark);
-    if (at)
-      draw_ring(Painter(list, view.camera, view.window), view.camera.to_world(*at),
-                view.theme.accent_on_object);
+    if (at) list.AddCircle(vec(at->x, at->y), 14, view.theme.accent_on_object.packed(), 32, 2);
     return draw_words(list, view, at.value_or(view.uncovered().middle()),
                       mark_in_words(state, *mark));
   }
   const Vec2 pointer(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
-  if (const auto mark = rested_on(view, marks_in_picture(state), pointer))
+  if (const auto mark = rested_mark(view))
     draw_words(list, view, pointer, mark_in_words(state, *mark));
 }
 
