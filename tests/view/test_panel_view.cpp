@@ -119,6 +119,14 @@ TEST_CASE("a closed drawer says what differs from the default", "[view][panel]")
   CHECK(lines(page)["Compare"] == "Circle");
 }
 
+TEST_CASE("the height of C stands beside the slope, which needs it", "[view][panel]") {
+  Page page;
+  give(page.app.state, SetDrawerOpen{Drawer::carrying, true});
+  settle_cards(page);
+  CHECK(shown_control("com height").place.top > shown_control("slope").place.top);
+  CHECK(shown_control("com height").place.bottom < shown_control("acceleration").place.top);
+}
+
 TEST_CASE("the turns are offered only while there are any", "[view][panel]") {
   for (const auto& path : assets()) {
     Page page(asset(path));

@@ -137,6 +137,11 @@ constexpr DrawerRow rows[] = {
               "unless they level the object; type 8 or 8%, or 4.6°",
      .draw = draw_ratio, .told = told_setting, .spoken = "Greatest slope", .text = percent_text,
      .exact = exact_percentage, .step = 0.01},
+    // Also under Object: a slope tips nothing without it.
+    {.drawer = Drawer::carrying, .setting = Setting::com_height, .label = "Height of C",
+     .about = "Height of the centre of mass, of the object with its cargo, above the plane in "
+              "which the robots lift",
+     .draw = draw_length, .spoken = "Height of the centre of mass", .text = length_text},
     {.drawer = Drawer::carrying, .setting = Setting::acceleration, .label = "Braked at",
      .about = "Greatest acceleration along the ground in any direction, in g, or with its unit: 2 m/s2",
      .draw = draw_ratio, .told = told_setting, .spoken = "Greatest acceleration, in g",
