@@ -330,14 +330,16 @@ Rect seat_of_notice(const AppState& state, const Layout& l) {
 // sheet.
 void make_room_for_notice(const AppState& state, Layout& l) {
   if (state.session.notice.text.empty()) return;
-  const double robot = l.wide ? 0 : 16;
+  constexpr double robot = 16;
   const bool two = l.second.width() > 0;
   const bool over_sheet = !l.wide && state.view.sheet == Sheet::closed &&
                           state.session.screen.foot == 0 && !presents_steps(state) &&
                           !state.session.screen.embed;
   const double lowest = l.room.bottom + (two ? l.second.bottom - l.first.bottom : 0);
-  const double covered =
-      std::max(0.0, lowest + robot - (l.notice.bottom - state.session.notice_height));
+  // A notice of one row reaches a few pixels into the margin: the picture does not move for that.
+  constexpr double slack = 6;
+  const double reached = lowest + robot - (l.notice.bottom - state.session.notice_height),
+               covered = reached > slack ? reached : 0;
   const double made = state.view.camera_follows
                           ? std::min(covered, l.room.height() * (over_sheet ? 0.4 : 0.75))
                           : 0;
