@@ -53,7 +53,10 @@ class SpokenPage {
     std::set<std::string> without_room;
     for (const DrawnText& text : drawn_) {
       seen.insert(text.text);
-      if (!text.has_room) without_room.insert(text.text);
+      // A press shows all of the verdict.
+      const Verdict told = verdict(page.app.state, Words::in_panel);
+      if (!text.has_room && text.text != told.detail && text.text != told.headline)
+        without_room.insert(text.text);
     }
     for (const Control& control : controls()) seen.insert(control.label);
     for (const std::string& text : {summary(page.app.state), news(page.app.state)})
