@@ -681,6 +681,21 @@ test("a length steps up and down through the same values, whatever the size of t
   await page.done();
 });
 
+test("the height of C is set in either of its two drawers", async () => {
+  const page = await browser.open({ viewport: { width: 1280, height: 1300 } });
+  await openDrawers(page, "Object", "Carrying");
+  const heights = page.locator('#mirror input[aria-label="Height of the centre of mass"]');
+  assert.equal(await heights.count(), 2);
+  for (const drawer of [0, 1]) {
+    const before = Number(await heights.nth(drawer).inputValue());
+    const { x, y, width, height } = await heights.nth(drawer).boundingBox();
+    await page.mouse.click(x + width + 18, y + height / 2); // its +
+    await idle(page);
+    for (const each of [0, 1]) assert.ok(Number(await heights.nth(each).inputValue()) > before, `${drawer}, ${each}`);
+  }
+  await page.done();
+});
+
 test("choosing a unit says that no number changes, and sizes have it, too", async () => {
   const page = await browser.open();
   await openDrawers(page, "Object", "Robots");

@@ -181,6 +181,34 @@ TEST_CASE("every mark of the picture explains itself by a key, one after another
   CHECK_FALSE(page.app.state.view.explained);
 }
 
+TEST_CASE("dark green is explained only if the lifting base goes beyond the object",
+          "[view][panel][marks]") {
+  std::size_t with = 0, without = 0;
+  for (const auto& path : assets()) {
+    Page page(asset(path));
+    const Placement& placement = *page.app.state.derived().placement;
+    if (!placement.loads) continue;
+    const std::vector<PictureMark> marks = marks_in_picture(page.app.state);
+    const bool told =
+        std::find(marks.begin(), marks.end(), PictureMark::base_beyond) != marks.end();
+    // By a grid of points.
+    const Box box = bounding_box(placement.lifting_base);
+    std::size_t beyond = 0;
+    constexpr int steps = 150;
+    for (int i = 0; i < steps; ++i)
+      for (int j = 0; j < steps; ++j) {
+        const Vec2 size = box.high - box.low,
+                   at = box.low + Vec2((i + 0.5) / steps * size.x, (j + 0.5) / steps * size.y);
+        if (inside(placement.lifting_base, at) && !inside(placement.vertices(), at)) ++beyond;
+      }
+    INFO(path.stem().string() << ", " << beyond << " of " << steps * steps << " points");
+    if (beyond == 0) CHECK_FALSE(told);
+    if (beyond > steps * steps / 50 && placement.object.holes().empty()) CHECK(told);
+    (told ? with : without) += 1;
+  }
+  CHECK((with > 10 && without > 10));
+}
+
 TEST_CASE("a mark explains itself where the pointer rests", "[view][panel][marks]") {
   Page page(asset(EVENLIFT_ASSETS_DIR "/polygons/guitar.txt"));
   page.frame();

@@ -288,8 +288,10 @@ void draw_drawers(const Ui& ui) {
     if (!open && !ui.state.session.wanted_field.empty() && has_wanted_field(ui.state, drawer))
       ui.push(SetDrawerOpen{drawer, true});
     if (open) {
+      ImGui::PushID(heads[i].name);  // the height of C is in two drawers
       for (const DrawerRow& row : rows)
         if (row.drawer == drawer && is_offered(ui.state, row)) row.draw(ui, row);
+      ImGui::PopID();
       ImGui::Dummy(ImVec2(0, 4));
     }
     show_opened(ui, heads[i].name, open, from);

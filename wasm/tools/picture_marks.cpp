@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "evenlift/hull.h"
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
 
@@ -23,6 +24,14 @@ bool has_base(const AppState& s) {
   const Overlays& overlays = shown(s).overlays;
   return overlays.lifting_base && !overlays.tipping && !overlays.load &&
          placement_of(s).lifting_base.size() >= 3 && placement_of(s).loads && !shown_report(s).tips;
+}
+// Whether a part of the base is certainly beyond the object, whatever lies above its holes.
+bool has_base_beyond(const AppState& s) {
+  if (!has_base(s)) return false;
+  const Placement& placement = placement_of(s);
+  const double outline = placement.polygon().area(), object = placement.object.area(),
+               above = placement.coverage * object + (outline - object);
+  return signed_area(placement.lifting_base) > above + 1e-3 * outline;
 }
 bool has_clockwise(const AppState& s) {
   return shown(s).overlays.clockwise && stands(s) && placement_of(s).closure.clockwise.exists;
@@ -51,8 +60,8 @@ constexpr MarkRow rows[] = {
      "The arrow: the object can slide this way, since no robot touches it so as to stop that."},
     {has_base,
      "The coverage: the share of the object that can be pressed down on without tipping it, if robots push back and none is overloaded."},
-    {has_base,
-     "Dark green: the part of the lifting base beyond the object. Nothing can press down on it."},
+    {has_base_beyond,
+     "Dark green: the part of the lifting base beyond the object, where nothing can be pressed down."},
     {has_base,
      "Green: the lifting base, with robots at its corners. A press down within it does not tip the object, if robots push back and none is overloaded."},
     {has_clockwise,
