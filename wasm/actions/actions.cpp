@@ -202,7 +202,7 @@ void type_edge(const AppState& s, Commands& out) {
 void explain_next(const AppState& s, Commands& out) {
   const std::optional<PictureMark> now = explained_mark(s);
   for (const PictureMark mark : marks_in_picture(s))
-    if (!now || mark > *now) return out.push_back(ExplainMark{static_cast<std::uint8_t>(mark)});
+    if (!now || mark > *now) return out.push_back(ExplainMark{mark});
   out.push_back(ExplainMark{});
 }
 

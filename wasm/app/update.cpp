@@ -320,7 +320,6 @@ struct Applier {
   void operator()(const SetSectionOpen& c) const { state.view.*c.section = c.open; }
   void operator()(const SetDrawerOpen& c) const {
     state.view.open_drawers[static_cast<std::size_t>(c.drawer)] = c.open;
-    state.session.wanted_field.clear();
   }
   void operator()(const ExplainMark& c) const {
     state.view.explained = c.mark;

@@ -26,102 +26,79 @@ bool is_in_hole(const CanvasView& view, const Vec2& world) {
                      [&](const Points& ring) { return inside(ring, world); });
 }
 
-// A place of the lifting base within the outline or, otherwise, beyond it.
-std::optional<Vec2> place_in_base(const CanvasView& view, bool within) {
-  const Points& base = view.placement->lifting_base;
-  if (base.size() < 3) return std::nullopt;
-  const Vec2 middle = middle_of(base);
-  for (const double share : {0.9, 0.6, 0.3})
-    for (std::size_t i = 0; i < base.size(); ++i) {
-      const Vec2 side = (base[i] + base[(i + 1) % base.size()]) / 2,
-                 at = middle + share * (side - middle);
-      if (inside(view.placement->vertices(), at) == within && !is_in_hole(view, at)) return at;
-    }
-  return std::nullopt;
-}
-
-// The middle of the visible part of a convex region, in pixels.
-std::optional<Vec2> seen_middle(const CanvasView& view, const Points& region) {
-  if (region.empty()) return std::nullopt;
-  const Rect window = view.uncovered();
-  Points seen;
-  for (const Vec2& corner : region) seen.push_back(view.camera.to_screen(corner));
-  seen = clip(std::move(seen), {Vec2(window.left, window.top), Vec2(window.right, window.bottom)});
-  return seen.empty() ? std::nullopt : std::optional(middle_of(seen));
-}
-
 Vec2 centre_on_screen(const CanvasView& view) {
   return view.camera.to_screen(view.placement->centre_of_mass);
 }
 
-// Where a key explains the mark, in pixels; nothing if it has no place.
-std::optional<Vec2> place_of_mark(const CanvasView& view, PictureMark mark) {
-  const Placement& placement = *view.placement;
-  const auto on_screen = [&](const std::optional<Vec2>& world) {
-    return world ? std::optional(view.camera.to_screen(*world)) : std::nullopt;
-  };
-  switch (mark) {
-    case PictureMark::robots:
-      return view.camera.to_screen(placement.teams.front().robots.front().point.position);
-    case PictureMark::centre:
-      return centre_on_screen(view);
-    case PictureMark::triangle:
-      return centre_on_screen(view) + Vec2(0, 20);
-    case PictureMark::slide:
-      return slide_arrow(view).to;
-    case PictureMark::coverage: {
-      const std::optional<Rect> box = coverage_box(view);
-      return box ? std::optional(box->middle()) : std::nullopt;
-    }
-    case PictureMark::base_beyond:
-      return on_screen(place_in_base(view, false));
-    case PictureMark::base:
-      return on_screen(place_in_base(view, true));
-    case PictureMark::clockwise:
-      return seen_middle(view, placement.closure.clockwise.clipped);
-    case PictureMark::counterclockwise:
-      return seen_middle(view, placement.closure.counterclockwise.clipped);
-    case PictureMark::end_of_marks:
-      break;
-  }
-  return std::nullopt;
+bool is_area(PictureMark mark) { return mark > PictureMark::coverage; }
+
+// The convex region that contains the area.
+const Points& region_of(const Placement& placement, PictureMark mark) {
+  return mark == PictureMark::clockwise          ? placement.closure.clockwise.clipped
+         : mark == PictureMark::counterclockwise ? placement.closure.counterclockwise.clipped
+                                                 : placement.lifting_base;
+}
+
+// Of an area; `world` is a place in the polygon's coordinates.
+bool is_in_area(const CanvasView& view, PictureMark mark, const Vec2& world) {
+  const bool within = inside(view.placement->vertices(), world);
+  return inside(region_of(*view.placement, mark), world) &&
+         (mark != PictureMark::base || (within && !is_in_hole(view, world))) &&
+         (mark != PictureMark::base_beyond || !within);
 }
 
 bool is_at(const CanvasView& view, PictureMark mark, const Vec2& at) {
-  constexpr double robot = 16, disc = 12;
-  const Placement& placement = *view.placement;
-  const Vec2 world = view.camera.to_world(at), centre = centre_on_screen(view);
-  switch (mark) {
-    case PictureMark::robots:
-      for (const Team& team : placement.teams)
-        for (const Robot& each : team.robots)
-          if (length(view.camera.to_screen(each.point.position) - at) <= robot) return true;
-      return false;
-    case PictureMark::centre:
-      return length(centre - at) <= disc;
-    case PictureMark::triangle:
-      return contains({centre.x - 9, centre.y + 11, centre.x + 9, centre.y + 26}, at, 3);
-    case PictureMark::slide: {
-      const Segment arrow = slide_arrow(view);
-      return length(nearest_on_segment(arrow.from, arrow.to, at) - at) <= 8;
-    }
-    case PictureMark::coverage: {
-      const std::optional<Rect> box = coverage_box(view);
-      return box && contains(*box, at, 2);
-    }
-    case PictureMark::base_beyond:
-      return inside(placement.lifting_base, world) && !inside(placement.vertices(), world);
-    case PictureMark::base:
-      return inside(placement.lifting_base, world) && inside(placement.vertices(), world) &&
-             !is_in_hole(view, world);
-    case PictureMark::clockwise:
-      return inside(placement.closure.clockwise.clipped, world);
-    case PictureMark::counterclockwise:
-      return inside(placement.closure.counterclockwise.clipped, world);
-    case PictureMark::end_of_marks:
-      break;
+  constexpr double robot = 16, disc = 12, arrow = 8;
+  if (is_area(mark)) return is_in_area(view, mark, view.camera.to_world(at));
+  const Vec2 centre = centre_on_screen(view);
+  if (mark == PictureMark::centre) return length(centre - at) <= disc;
+  if (mark == PictureMark::triangle)
+    return contains({centre.x - 9, centre.y + 11, centre.x + 9, centre.y + 26}, at, 3);
+  if (mark == PictureMark::slide) {
+    const Segment slide = slide_arrow(view);
+    return length(nearest_on_segment(slide.from, slide.to, at) - at) <= arrow;
   }
-  return false;
+  if (mark == PictureMark::coverage) {
+    const std::optional<Rect> box = coverage_box(view);
+    return box && contains(*box, at, 2);
+  }
+  const std::vector<LiftingPoint> robots = lifting_points(view.placement->teams);
+  return std::any_of(robots.begin(), robots.end(), [&](const LiftingPoint& each) {
+    return length(view.camera.to_screen(each.position) - at) <= robot;
+  });
+}
+
+// A visible place of the area, in pixels: in the middle of what is visible of its region or, if that
+// is another area, towards one of its sides.
+std::optional<Vec2> place_in_area(const CanvasView& view, PictureMark mark) {
+  const Rect window = view.uncovered();
+  Points seen;
+  for (const Vec2& corner : region_of(*view.placement, mark))
+    seen.push_back(view.camera.to_screen(corner));
+  if (seen.size() < 3) return std::nullopt;
+  seen = clip(std::move(seen), {Vec2(window.left, window.top), Vec2(window.right, window.bottom)});
+  if (seen.empty()) return std::nullopt;
+  const Vec2 middle = middle_of(seen);
+  for (const double share : {0.0, 0.9, 0.6, 0.3})
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      const Vec2 side = (seen[i] + seen[(i + 1) % seen.size()]) / 2,
+                 at = middle + share * (side - middle);
+      if (is_at(view, mark, at)) return at;
+    }
+  return std::nullopt;
+}
+
+// Where a key explains the mark, in pixels; nothing if it has no place.
+std::optional<Vec2> place_of_mark(const CanvasView& view, PictureMark mark) {
+  if (is_area(mark)) return place_in_area(view, mark);
+  if (mark == PictureMark::centre) return centre_on_screen(view);
+  if (mark == PictureMark::triangle) return centre_on_screen(view) + Vec2(0, 20);
+  if (mark == PictureMark::slide) return slide_arrow(view).to;
+  if (mark == PictureMark::coverage) {
+    const std::optional<Rect> box = coverage_box(view);
+    return box ? std::optional(box->middle()) : std::nullopt;
+  }
+  return view.camera.to_screen(view.placement->teams.front().robots.front().point.position);
 }
 
 // Below the place or, for a finger, above it.
@@ -147,8 +124,6 @@ const Rect& first_window(const CanvasView& view) {
   return view.state.work.second_method ? view.layout.first : view.window;
 }
 
-bool is_area(PictureMark mark) { return mark >= PictureMark::coverage; }
-
 }  // namespace
 
 // Parts of the drawing, such as a vertex or a chord, are above areas.
@@ -165,7 +140,7 @@ std::optional<PictureMark> rested_mark(const CanvasView& view) {
       over != Pick::Kind::none && over != Pick::Kind::object && over != Pick::Kind::ground;
   const std::vector<PictureMark> marks = marks_in_picture(state);
   const auto found = std::find_if(marks.begin(), marks.end(), [&](PictureMark mark) {
-    return !(on_part && is_area(mark)) && is_at(view, mark, at);
+    return !(on_part && mark >= PictureMark::coverage) && is_at(view, mark, at);
   });
   return found == marks.end() ? std::nullopt : std::optional(*found);
 }

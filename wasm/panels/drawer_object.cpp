@@ -39,7 +39,7 @@ static_assert(std::size(weight_units) == std::size(all_weight_units));
 
 void draw_centre(const Ui& ui, const DrawerRow& row) {
   const float width = labelled(ui, row.label, row.about);
-  const bool own = has_own_centre(ui.state), known = own || weighed(ui.state);
+  const bool own = has_own_centre(ui.state), known = own || when::is_weighed(ui.state);
   const float reset = own ? ui.control() : 0;
   const Vec2 centre = centre_of_mass(ui.state);
   text_field(ui, "com", "Centre of mass, x and y", "com",
@@ -52,8 +52,9 @@ void draw_centre(const Ui& ui, const DrawerRow& row) {
 }
 
 std::string told_centre(const AppState& state, const DrawerRow&) {
-  return has_own_centre(state) || weighed(state) ? say("C at {place}", {centre_in_words(state)})
-                                                 : std::string();
+  return has_own_centre(state) || when::is_weighed(state)
+             ? say("C at {place}", {centre_in_words(state)})
+             : std::string();
 }
 
 void draw_uncertainty_words(const Ui& ui, const DrawerRow&) {

@@ -41,12 +41,11 @@ const char* why_no_ratio(Method method) {
 
 void draw_min_ratio(const Ui& ui, const DrawerRow& row) {
   Settings changed = settings(ui.state);
-  const char* about = row.about;
-  const char* why_not = why_no_ratio(changed.method);
-  const float width = labelled(ui, row.label, why_not ? why_not : about), number = 44;
+  const char *why_not = why_no_ratio(changed.method), *about = why_not ? why_not : row.about;
+  const float width = labelled(ui, row.label, about), number = 44;
   const SliderResult moved = slider(ui, "ratio", "Minimum load ratio, as a slider",
                                     changed.min_ratio, 0, 1, 0.01, width - number, !why_not);
-  if (ImGui::IsItemHovered()) tip(ui, why_not ? why_not : about);
+  if (ImGui::IsItemHovered()) tip(ui, about);
   ImGui::SameLine(0, 0);
   number_field(ui, "min ratio", "Minimum load ratio", "min_ratio", fixed(moved.value, 2), number,
                why_not ? ui.theme.quiet : ui.theme.text, shortest(moved.value));
@@ -254,12 +253,12 @@ void draw_left_of_boundary(const Ui& ui, const DrawerRow&) {
     text_block(Face::label, ui.theme.second_text, left_in_words(*facts.placement));
 }
 
-void draw_sizes_kept(const Ui& ui, const DrawerRow&) {
-  draw_remark(ui, say("Robots are points; their size is kept"), 1);
-}
-
 std::string told_sizes_kept(const AppState&, const DrawerRow&) {
   return say("Robots are points; their size is kept");
+}
+
+void draw_sizes_kept(const Ui& ui, const DrawerRow& row) {
+  draw_remark(ui, told_sizes_kept(ui.state, row), 1);
 }
 
 }  // namespace evenlift::view

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "actions/actions.h"
 #include "evenlift/numbers.h"
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/output/words.h"
@@ -45,6 +46,20 @@ std::string exact_percentage(double ratio) {
   return shortest(percentage / 100 == ratio ? percentage : 100 * ratio) + "%";
 }
 
+constexpr DrawerRow height_of_c(Drawer drawer,
+                                std::string (*told)(const AppState&, const DrawerRow&)) {
+  return {.drawer = drawer,
+          .setting = Setting::com_height,
+          .label = "Height of C",
+          .about =
+              "Height of the centre of mass, of the object with its cargo, above the plane in "
+              "which the robots lift",
+          .draw = draw_length,
+          .told = told,
+          .spoken = "Height of the centre of mass",
+          .text = length_text};
+}
+
 // clang-format off
 constexpr DrawerRow rows[] = {
     {.drawer = Drawer::object, .setting = Setting::com, .label = "Centre of mass",
@@ -55,11 +70,7 @@ constexpr DrawerRow rows[] = {
      .draw = draw_length, .told = told_setting, .spoken = "Uncertainty of the centre of mass",
      .text = length_text},
     {.drawer = Drawer::object, .draw = draw_uncertainty_words},
-    {.drawer = Drawer::object, .setting = Setting::com_height, .label = "Height of C",
-     .about = "Height of the centre of mass, of the object with its cargo, above the plane in "
-              "which the robots lift",
-     .draw = draw_length, .told = told_setting, .spoken = "Height of the centre of mass",
-     .text = length_text},
+    height_of_c(Drawer::object, told_setting),
     {.drawer = Drawer::object, .setting = Setting::unit, .label = "Units",
      .about = "Labels of lengths and weights; no number changes",
      .draw = draw_units, .told = told_units},
@@ -137,11 +148,7 @@ constexpr DrawerRow rows[] = {
               "unless they level the object; type 8 or 8%, or 4.6°",
      .draw = draw_ratio, .told = told_setting, .spoken = "Greatest slope", .text = percent_text,
      .exact = exact_percentage, .step = 0.01},
-    // Also under Object: a slope tips nothing without it.
-    {.drawer = Drawer::carrying, .setting = Setting::com_height, .label = "Height of C",
-     .about = "Height of the centre of mass, of the object with its cargo, above the plane in "
-              "which the robots lift",
-     .draw = draw_length, .spoken = "Height of the centre of mass", .text = length_text},
+    height_of_c(Drawer::carrying, nullptr),  // a slope tips nothing without it
     {.drawer = Drawer::carrying, .setting = Setting::acceleration, .label = "Braked at",
      .about = "Greatest acceleration along the ground in any direction, in g, or with its unit: 2 m/s2",
      .draw = draw_ratio, .told = told_setting, .spoken = "Greatest acceleration, in g",
@@ -207,7 +214,7 @@ constexpr DrawerHead heads[] = {
     {"Object", "C, its height, units, cargo, holes"},
     {"Robots", "capacity, accuracy, size, goal"},
     {"Carrying", "slope, braking, uneven ground"},
-    {"Weighing", "errors, and a second weighing", is_weighed},
+    {"Weighing", "errors, and a second weighing", when::is_weighed},
     {"Show", "lifting base, chords, tipping", can_show},
     {"Compare", "another method, the optimum", can_compare},
 };

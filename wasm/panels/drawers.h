@@ -43,6 +43,15 @@ void draw_text(const Ui& ui, const DrawerRow& row);      // a typed text
 // What differs from the default: "Slope 8 %".
 std::string told_setting(const AppState& state, const DrawerRow& row);
 
+// The name of a setting's control for scripts, such as "robot radius".
+std::string id_of(Setting setting);
+
+// size_of_object() returns the diagonal of the polygon's bounding box, or 100 before the first
+// placement. first_length() returns the length to which a step up from 0 leads: a power of ten,
+// from 1/500 to 1/50 of the size.
+double size_of_object(const AppState& state);
+double first_length(double size_of_object);
+
 // Numbers as these rows show them.
 std::string length_text(const AppState& state, double value);
 std::string weight_text(const AppState& state, double value);

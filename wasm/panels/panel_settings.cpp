@@ -41,8 +41,9 @@ void draw_weigh_button(const Ui& ui, float width) {
 
 void draw_weight(const Ui& ui) {
   Settings changed = settings(ui.state);
-  if (const Placement* placement = weighed(ui.state)) changed.weight = placement->settings.weight;
-  const bool can_weigh = !weighed(ui.state) && !ui.state.work.document().centre_of_mass &&
+  const bool weighed = when::is_weighed(ui.state);
+  if (weighed) changed.weight = ui.state.derived().placement->settings.weight;
+  const bool can_weigh = !weighed && !ui.state.work.document().centre_of_mass &&
                          action(ActionId::weigh).enabled(ui.state);
   const std::string value = given_weight(changed.weight, shown(ui.state).units);
   const float width = labelled(ui, "Weight", "Weight of the whole object", short_label);
@@ -160,13 +161,6 @@ void draw_controls(const Ui& ui) {
   if (ui.layout.wide) draw_teams_stepper(ui);
   draw_weight(ui);
 }
-
-const Placement* weighed(const AppState& state) {
-  const auto& placement = state.derived().placement;
-  return placement && placement->weighing ? &*placement : nullptr;
-}
-
-bool is_weighed(const AppState& state) { return weighed(state) != nullptr; }
 
 void draw_weighing(const Ui& ui) {
   text_block(Face::label, ui.theme.second_text, weighing_words(ui.state));

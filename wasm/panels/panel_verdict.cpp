@@ -34,9 +34,9 @@ Sign sign_of(const Theme& theme, Mood mood) {
 }
 
 // The verdict has three lines, whatever the result: up to two of the headline, and what follows; and
-// all of it at a press. The headline alone has two.
+// all of it at a press.
 constexpr float after_sign = 32, below_headline = 4;
-constexpr std::size_t lines_of_verdict = 3, lines_of_headline = 2, all_lines = 99;
+constexpr std::size_t lines_of_verdict = 3, lines_of_headline = 2;
 
 float line_of_verdict() { return line_height(Face::text); }
 
@@ -75,35 +75,31 @@ void draw_presumed(const Ui& ui, ImVec2 low, ImVec2 high) {
   if (!text.empty()) tip(ui, text.c_str());
 }
 
-// Draws at most `most` lines; returns whether there are more.
-bool draw_in(const Ui& ui, const Verdict& v, const std::string& rest, std::size_t most) {
+// Draws this many lines, or all if there are more and `whole`. Returns whether some are left out.
+bool draw_in(const Ui& ui, const Verdict& v, const std::string& rest, std::size_t lines,
+             bool whole) {
   draw_mood(ui, v);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   // Right of the headline is the side panel's fold button.
   const float beside = width - after_sign - (ui.layout.wide ? ui.control() - 8 : 0);
   const std::size_t headline = broken_lines(Face::strong, v.headline, beside).size(),
-                    of_headline =
-                        most > lines_of_verdict ? headline : std::min(headline, lines_of_headline);
-  const std::size_t of_rest = broken_lines(Face::text, rest, width).size();
-  const std::size_t room = std::min(of_rest, most - of_headline);
+                    of_headline = whole ? headline : std::min(headline, lines_of_headline),
+                    of_rest = broken_lines(Face::text, rest, width).size(),
+                    room = whole ? of_rest : std::min(of_rest, lines - of_headline);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   ImGui::SetCursorScreenPos(ImVec2(at.x + after_sign, at.y));
   text_block_of(Face::strong, ui.theme.text, v.headline, beside, of_headline);
   ImGui::SetCursorScreenPos(
       ImVec2(at.x, at.y + line_of_verdict() * static_cast<float>(of_headline) + below_headline));
   text_block_of(Face::text, ui.theme.second_text, rest, width, room);
-  const bool is_cut = of_rest > room || headline > of_headline;
-  // A headline alone keeps the height of two lines.
-  const std::size_t usual =
-      rest.empty() && most != lines_of_verdict ? lines_of_headline : lines_of_verdict;
-  const std::size_t lines = std::max(of_headline + room, usual);
-  const float height = line_of_verdict() * static_cast<float>(lines) + below_headline;
+  const float height =
+      line_of_verdict() * static_cast<float>(std::max(of_headline + room, lines)) + below_headline;
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
   ImGui::Dummy(ImVec2(width, 0));
   ImGui::PopStyleVar();
   draw_presumed(ui, at, ImVec2(at.x + after_sign + beside, at.y + height));
-  return is_cut;
+  return of_rest > room || headline > of_headline;
 }
 
 void draw_failures_below(const Ui& ui) {
@@ -138,15 +134,14 @@ void draw_more(const Ui& ui, ImVec2 low, bool whole) {
 }  // namespace
 
 void draw_headline(const Ui& ui) {
-  const std::size_t lines = ui.layout.brief ? lines_of_headline : all_lines;
-  draw_in(ui, verdict(ui.state, Words::in_panel), {}, lines);
+  draw_in(ui, verdict(ui.state, Words::in_panel), {}, lines_of_headline, !ui.layout.brief);
 }
 
 void draw_verdict_words(const Ui& ui) {
   const Verdict v = verdict(ui.state, Words::in_panel);
   const bool whole = ui.layout.wide && ui.state.view.whole_verdict;
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  const bool is_cut = draw_in(ui, v, v.detail, whole ? all_lines : lines_of_verdict);
+  const bool is_cut = draw_in(ui, v, v.detail, lines_of_verdict, whole);
   if (is_cut || whole) draw_more(ui, low, whole);
   // Its place stays free, so that nothing below moves.
   ImGui::Dummy(ImVec2(1, ui.control() + 6));

@@ -29,7 +29,7 @@ bool has_score(const AppState& s) {
 constexpr Panel side_panel[] = {
     {"verdict", draw_verdict, false},
     {"settings", draw_controls, false},
-    {"weighing", draw_weighing, true, is_weighed},
+    {"weighing", draw_weighing, true, when::is_weighed},
     {"comparison", draw_comparison, true, compares},
     {"forces", draw_heat_key, true, shows_forces},
     {"teams", draw_teams, true},
@@ -49,7 +49,7 @@ constexpr Panel walkthrough_panel[] = {
     {"ranking", draw_walkthrough_ranking, true, ranks},
     {"code", draw_walkthrough_code, true, is_formal},
     {"settings", draw_controls, false},
-    {"weighing", draw_weighing, true, is_weighed},
+    {"weighing", draw_weighing, true, when::is_weighed},
     {"drawers", draw_drawers, false},
     {"history", draw_walkthrough_history, true, has_history},
 };

@@ -20,23 +20,8 @@ void named_action_button(const Ui& ui, ActionId id, float size);
 // A row with the name, and with the key if there may be a keyboard.
 void action_row(const Ui& ui, ActionId id);
 
-// --- What rows of drawers share (drawers.h).
-
-// The name of a setting's control for scripts, such as "robot radius".
-std::string id_of(Setting setting);
-
-// size_of_object() returns the diagonal of the polygon's bounding box, or 100 before the first
-// placement. first_length() returns the length to which a step up from 0 leads: a power of ten,
-// from 1/500 to 1/50 of the size.
-double size_of_object(const AppState& state);
-double first_length(double size_of_object);
-
 // The value after a step up or down that suits its size: 120 changes by tens, 12 by ones.
 double stepped(double value, int by);
-
-// The placement that tells W and C by the robots' readings; null without readings.
-const Placement* weighed(const AppState& state);
-bool is_weighed(const AppState& state);
 
 // --- The panels, in one table.
 

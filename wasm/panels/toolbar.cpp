@@ -266,7 +266,7 @@ void draw_notice(const Ui& ui) {
                                      : ImVec2(at.x + 32, ImGui::GetCursorScreenPos().y + 4));
     if (flat_button(ui, "undo offered", notice.undo.c_str(), button - 8)) ui.push(Undo{});
   }
-  const ImVec2 after = ImGui::GetCursorScreenPos();
+  const ImVec2 after = beside ? ImVec2(at.x, at.y + 24) : ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos(ImVec2(at.x + static_cast<float>(width) - 20 - 24, at.y));
   if (icon_button(ui, "close", Icon::close, true, "Close (Esc)", 24)) ui.push(ShowNotice{});
   ImGui::SetCursorScreenPos(after);

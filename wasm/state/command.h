@@ -242,9 +242,9 @@ struct SetSectionOpen {
   bool View::*section;
   bool open;
 };
-// Explains this mark, a PictureMark (tools/picture_marks.h), or none.
+// Explains this mark, or none.
 struct ExplainMark {
-  std::optional<std::uint8_t> mark{};
+  std::optional<PictureMark> mark{};
 };
 // No field is asked for any more (TypeValue).
 struct ForgetField {};

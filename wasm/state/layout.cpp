@@ -336,10 +336,8 @@ void make_room_for_notice(const AppState& state, Layout& l) {
                           state.session.screen.foot == 0 && !presents_steps(state) &&
                           !state.session.screen.embed;
   const double lowest = l.room.bottom + (two ? l.second.bottom - l.first.bottom : 0);
-  // A notice of one row reaches a few pixels into the margin: the picture does not move for that.
-  constexpr double slack = 6;
-  const double reached = lowest + robot - (l.notice.bottom - state.session.notice_height),
-               covered = reached > slack ? reached : 0;
+  const double covered =
+      std::max(0.0, lowest + robot - (l.notice.bottom - state.session.notice_height));
   const double made = state.view.camera_follows
                           ? std::min(covered, l.room.height() * (over_sheet ? 0.4 : 0.75))
                           : 0;

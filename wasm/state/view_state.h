@@ -175,6 +175,21 @@ enum class Drawer : std::uint8_t {
 };
 inline constexpr auto drawer_count = static_cast<std::size_t>(Drawer::end_of_drawers);
 
+// The marks of the picture that explain themselves (tools/picture_marks.h). Where marks overlap, the
+// first in this order does.
+enum class PictureMark : std::uint8_t {
+  robots,
+  centre,
+  triangle,
+  slide,
+  coverage,
+  base_beyond,  // the part of the lifting base outside the outline
+  base,
+  clockwise,
+  counterclockwise,
+  end_of_marks  // counts the marks; keep it last
+};
+
 // The tool decides what a press does. In the order of the values, a press grabs a vertex or the
 // centre of mass, places a vertex, grabs the whole polygon, marks a no-go part, adds a robot,
 // places a hole's vertex, or puts a weight on the object.
@@ -269,8 +284,8 @@ struct View {
   Wanted<std::size_t> fails;               // the failed robot's number from 0
   Wanted<Pick> card;                       // the part that the card explains
   Walkthrough walkthrough;
-  std::optional<std::uint8_t> explained;  // the PictureMark for which a key asked
-  bool presenting = false;                // presentation mode: enlarged, in full screen
+  std::optional<PictureMark> explained;  // for which a key asked
+  bool presenting = false;               // presentation mode: enlarged, in full screen
 
   Camera camera;
   bool camera_follows = true;  // the camera fits the drawing until the user pans or zooms

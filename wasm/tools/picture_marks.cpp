@@ -85,9 +85,8 @@ std::optional<PictureMark> explained_mark(const AppState& state) {
   if (!state.view.explained || state.view.tool != Tool::parts || walkthrough_is_open(state))
     return std::nullopt;
   const std::vector<PictureMark> marks = marks_in_picture(state);
-  const auto mark = static_cast<PictureMark>(*state.view.explained);
-  return std::find(marks.begin(), marks.end(), mark) != marks.end() ? std::optional(mark)
-                                                                    : std::nullopt;
+  const bool is_there = std::find(marks.begin(), marks.end(), *state.view.explained) != marks.end();
+  return is_there ? state.view.explained : std::nullopt;
 }
 
 std::string mark_in_words(const AppState& state, PictureMark mark) {

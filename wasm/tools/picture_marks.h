@@ -2,7 +2,6 @@
 // after another by a key. canvas/explained.cpp knows where each is.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,21 +10,7 @@
 
 namespace evenlift::view {
 
-// A mark; where marks overlap, the first in this order explains itself.
-enum class PictureMark : std::uint8_t {
-  robots,
-  centre,
-  triangle,
-  slide,
-  coverage,
-  base_beyond,  // the part of the lifting base outside the outline
-  base,
-  clockwise,
-  counterclockwise,
-  end_of_marks  // counts the marks; keep it last
-};
-
-// The marks that are in the first picture now, in the order above. O(1).
+// The marks that are in the first picture now, in the order of PictureMark. O(1).
 std::vector<PictureMark> marks_in_picture(const AppState& state);
 
 // The mark for which the key asked (View::explained), if it is in the picture. O(1).
