@@ -177,13 +177,18 @@ constexpr std::size_t most_rows = 60;  // the JSON has more
 
 float row_height(const Ui& ui) { return std::max(28.0f, ui.control() - 8); }
 
-// The table's height is constant, so that nothing below moves: it has room for four teams or, in a
-// window 900 pixels high, for six robots. A button shows more.
+// The table's height depends on settings alone, so that nothing below moves when the result changes:
+// it has room for four teams, or for as many robots as are asked for, from four to six if the window
+// is 900 pixels high. A button shows more.
 std::size_t room_of_rows(const Ui& ui) {
   constexpr double of_six = 868;
-  const bool six = is_one_team(settings(ui.state).method) &&
-                   (!ui.layout.wide || ui.layout.panel.height() >= of_six);
-  return six ? 6 : 4;
+  constexpr std::size_t least = 4, most = 6;
+  const Settings& now = settings(ui.state);
+  const bool is_high = !ui.layout.wide || ui.layout.panel.height() >= of_six;
+  if (!is_one_team(now.method) || !is_high) return least;
+  const std::size_t asked =
+      now.method == Method::given ? now.supports.size() : std::size_t{now.robots};
+  return std::clamp(asked, least, most);
 }
 
 std::size_t shown_rows(const Ui& ui, std::size_t count) {

@@ -33,8 +33,8 @@ Sign sign_of(const Theme& theme, Mood mood) {
   return {Icon::draw, theme.accent};
 }
 
-// The verdict has three lines, whatever the result: up to two of the headline, and what follows; and
-// all of it at a press.
+// The verdict has three lines, whatever the result: its headline, which is what matters most, and as
+// much as fits of what follows; and all of it at a press.
 constexpr float after_sign = 32, below_headline = 4;
 constexpr std::size_t lines_of_verdict = 3, lines_of_headline = 2;
 
@@ -84,7 +84,7 @@ bool draw_in(const Ui& ui, const Verdict& v, const std::string& rest, std::size_
   // Right of the headline is the side panel's fold button.
   const float beside = width - after_sign - (ui.layout.wide ? ui.control() - 8 : 0);
   const std::size_t headline = broken_lines(Face::strong, v.headline, beside).size(),
-                    of_headline = whole ? headline : std::min(headline, lines_of_headline),
+                    of_headline = whole ? headline : std::min(headline, lines),
                     of_rest = broken_lines(Face::text, rest, width).size(),
                     room = whole ? of_rest : std::min(of_rest, lines - of_headline);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
