@@ -689,6 +689,19 @@ void Gathering::note(std::string_view sentence) {
   if (import.notes.size() < 20) import.notes.emplace_back(translated(sentence));
 }
 
+// Cutters cut one hole where two of them touch or overlap.
+void Gathering::unite_holes() {
+  std::size_t united = 0;
+  for (ImportedShape& shape : import.shapes) {
+    if (shape.document.holes.size() < 2 || shape.document.holes.size() > max_holes) continue;
+    Uniting uniting = unite_touching(shape.document.holes);
+    united += uniting.united;
+    shape.document.holes = std::move(uniting.rings);
+  }
+  if (united > 0 && options_.holes)
+    note(say("{count} holes that touch or overlap were united", {united}));
+}
+
 Result<Import> Gathering::finish(InputError nothing) {
   if (full_) return *std::move(full_);
   if (import.shapes.empty()) {
@@ -698,6 +711,7 @@ Result<Import> Gathering::finish(InputError nothing) {
   for (std::size_t i = 0; i < import.shapes.size(); ++i) import.shapes[i].order = i;
   if (!drawn_.empty()) nest_outlines();
   if (!texts_.empty()) name_by_texts();
+  unite_holes();
   if (!left_out.empty())
     note(say(left_out.total() == 1 ? "{things} was left out" : "{things} were left out",
              {left_out.list()}));

@@ -123,6 +123,7 @@ class Gathering final : public ShapeSink {
   void name_by_blocks(const Nesting& nesting);
   void note_joining(const Joining& joining);
   void name_by_texts();
+  void unite_holes();
   void keep_open(const Outline& line);
   void nest_outlines();
 
