@@ -19,7 +19,7 @@ OVERLAYS = ["candidates", "chords", "hull", "clockwise", "counterclockwise", "ti
 # What a record's payload is read as, by its tag; the other tags are those of later programs.
 RECORDS = {1: ("robots", int), 2: ("goal", str), 3: ("min_margin", float), 4: ("apart", float), 5: ("survive", int),
            6: ("positions", str), 7: ("com_radius", float), 8: ("capacity", float), 9: ("robot", str), 10: ("no_go", str),
-           11: ("units", str), 12: ("cargo", str), 13: ("holes", list), 17: ("support_capacities", str), 18: ("halo", str), 19: ("moved", str), 20: ("clear", float), 30: ("accuracy", float),
+           11: ("units", str), 12: ("cargo", str), 13: ("holes", list), 17: ("support_capacities", str), 39: ("support_names", str), 18: ("halo", str), 19: ("moved", str), 20: ("clear", float), 30: ("accuracy", float),
            21: ("supports", list), 22: ("snap", float), 15: ("com_height", float), 23: ("slope", float),
            24: ("acceleration", float), 25: ("give", float), 26: ("uneven", float), 27: ("extra", float), 28: ("tilt", str),
            29: ("load", str), 31: ("readings", str), 32: ("reading_error", str), 33: ("level_error", float),

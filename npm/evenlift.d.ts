@@ -72,12 +72,14 @@ export interface Settings {
   robot_width?: number | null;
   /** Free distance between two bodies. */
   robot_gap?: number | null;
-  /** Robots that already stand, each perhaps with its capacity; or a file of them. */
+  /** Robots that already stand, each perhaps with its capacity and name; or a file of them. */
   supports?: readonly (Point | Support)[] | string | null;
   /** Supports within S of the outline stand at the edge (default 1e-4 of its size). */
   snap?: number | null;
   /** Capacity of each support, as many as there are supports; it overrides those in supports. */
   support_capacities?: readonly (number | null)[] | string | null;
+  /** Name of each support, as many as there are supports; it overrides those in supports. */
+  support_names?: readonly (string | null)[] | string | null;
   /** Loads that are fixed to the object, added to those of the file; none removes those. */
   cargo?: readonly (Cargo | readonly [Point, number] | readonly [Point, number, string])[] | string | null;
   /** Height of the centre of mass, with cargo, above the lifting points: at which slope it tips. */
@@ -302,6 +304,8 @@ export interface Robot {
   heading: number | null;
   /** Only a support stands beneath. */
   place: "edge" | "beneath";
+  /** Of a support, if it has one. */
+  name?: string;
   /** Its number among `supports`, counted from 0, if some are left out. */
   support?: number;
 }
@@ -650,12 +654,14 @@ export interface Placement {
   survive?: number;
   /** Clearance: shorter distances are not relied on, of contacts from corners and, after a failure, of the centre of mass from the edge of the lifting base (default 0.02 of the object's radius). */
   clear: number | null;
-  /** Robots that already stand, each perhaps with its capacity; or a file of them; only with supports. */
+  /** Robots that already stand, each perhaps with its capacity and name; or a file of them; only with supports. */
   supports?: Position[];
   /** Supports within S of the outline stand at the edge (default 1e-4 of its size); only with supports. */
   snap?: number;
   /** Capacity of each support, as many as there are supports; it overrides those in supports; only with supports. */
   support_capacities?: (number | null)[];
+  /** Name of each support, as many as there are supports; it overrides those in supports; only with supports. */
+  support_names?: (string | null)[];
   /** Loads that are fixed to the object, added to those of the file; none removes those; only if it is set. */
   cargo?: CargoItem[];
   /** Height of the centre of mass, with cargo, above the lifting points: at which slope it tips; only if it is set. */

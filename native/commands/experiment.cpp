@@ -42,7 +42,7 @@ experiment::ExperimentSettings settings_of(const Options& options) {
   settings.failures = options.failures;
   if (options.weight || options.cargo) settings.weight.reset();
   if (const std::optional<InputError> error = experiment::check_settings(settings))
-    throw SettingOptions{}.failure("", *error);
+    throw SettingOptions{}.failure({}, *error);
   return settings;
 }
 

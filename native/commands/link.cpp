@@ -57,11 +57,11 @@ namespace {
 void check(const Input& input, const SettingOptions& options) {
   const Document& document = input.document;
   if (const std::optional<InputError> error = check_settings(document.settings, document.shown))
-    throw options.failure(input.source, *error);
+    throw options.failure(input, *error);
   const Result<PolygonWithHoles> object = object_of(document);
-  if (!object) throw options.failure(input.source, object.error());
+  if (!object) throw options.failure(input, object.error());
   const auto centre = centre_of_mass(*object, document.centre_of_mass, document.settings);
-  if (!centre) throw options.failure(input.source, centre.error());
+  if (!centre) throw options.failure(input, centre.error());
 }
 
 void encode(const Arguments& arguments) {
@@ -81,7 +81,7 @@ void encode(const Arguments& arguments) {
   if (candidates) input.document.shown.overlays.candidates = true;
   check(input, options.settings);
   const Result<std::string> link = encode_link(input.document);
-  if (!link) throw options.settings.failure(input.source, link.error());
+  if (!link) throw options.settings.failure(input, link.error());
   write_output(*link + "\n");
 }
 
@@ -153,12 +153,11 @@ void cmd_trace(const Arguments& arguments) {
   const Input input = options.read();
   // The trace does the search for balanced robots itself.
   const Result<Placement> placement = place(input.document, Effort::start);
-  if (!placement) throw options.settings.failure(input.source, placement.error());
+  if (!placement) throw options.settings.failure(input, placement.error());
   const Result<Trace> trace =
       make_trace(*placement, HistoryLength::whole, input.document.shown.units);
-  if (!trace) throw options.settings.failure(input.source, trace.error());
-  if (const auto error = check_printed_size(*trace))
-    throw options.settings.failure(input.source, *error);
+  if (!trace) throw options.settings.failure(input, trace.error());
+  if (const auto error = check_printed_size(*trace)) throw options.settings.failure(input, *error);
   write_output(as_json ? trace_json(*trace) : trace_list(*trace));
 }
 

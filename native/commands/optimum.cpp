@@ -74,7 +74,7 @@ std::string answer(const Input& input, const SettingOptions& options, double sec
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   const Result<ComparedChoices> compared =
       compare_choices(input.document, [&] { return std::chrono::steady_clock::now() >= end; });
-  if (!compared) throw options.failure(input.source, compared.error());
+  if (!compared) throw options.failure(input, compared.error());
   return json ? choices_json(*compared) : for_people(*compared);
 }
 

@@ -24,7 +24,9 @@ std::string robot_table(const Reported& of, const LoadColumn& loads) {
   const Team& team = placement.teams.front();
   const TeamInWords words = team_in_words(placement, 0, place_decimals(placement));
   std::vector<Row> rows = {{"robot", "at", loads.heading}};
+  const bool named = given && !placement.settings.support_names.empty();
   if (given) rows[0].insert(rows[0].begin() + 2, "stands");
+  if (named) rows[0].insert(rows[0].begin() + 1, "name");
   if (report.has_own_capacities) rows[0].push_back("capacity");
   if (report.has_capacities) rows[0].insert(rows[0].end(), {"use", loads.overloaded});
   for (std::size_t i = 0; i < team.robots.size(); ++i) {
@@ -34,6 +36,10 @@ std::string robot_table(const Reported& of, const LoadColumn& loads) {
     if (given)
       rows.back().insert(rows.back().begin() + 2,
                          team.robots[i].point.edge == beneath ? "beneath" : "at the edge");
+    if (named) {
+      const std::string_view name = placement.name_of(i);
+      rows.back().insert(rows.back().begin() + 1, name.empty() ? "-" : std::string(name));
+    }
     if (report.has_own_capacities)
       rows.back().push_back(report.capacities[i] ? plain(*report.capacities[i]) : "-");
     if (report.has_capacities) {
@@ -187,7 +193,7 @@ void check_outputs(const PlaceOptions& options, const std::optional<PosesAsked>&
 // Replaces the document, and returns what was moved.
 std::vector<SupportMove> even_out(Input& input, const PlaceOptions& options) {
   Result<Document> even = with_even_supports(input.document, options.misfitting());
-  if (!even) throw options.input.settings.failure(input.source, even.error());
+  if (!even) throw options.input.settings.failure(input, even.error());
   std::vector<SupportMove> moves = support_moves(input.document, *even);
   input.document = *std::move(even);
   return moves;
@@ -204,7 +210,7 @@ Outputs make_outputs(const Input& input, const PlaceOptions& options,
                      const std::vector<Condition>& conditions, Beside beside) {
   Waiting waiting("placing the robots");
   const Result<Placement> placement = place(input.document, Effort::whole, options.misfitting());
-  if (!placement) throw options.input.settings.failure(input.source, placement.error());
+  if (!placement) throw options.input.settings.failure(input, placement.error());
   const ShownPlacement shown(*placement, input.document.shown);
   if (input.document.settings.method == Method::given)
     for (const std::string& note : snap_notes(placement->object, input.document.settings))

@@ -90,13 +90,13 @@ void write_all(std::FILE* file, std::string_view text, const std::string& name) 
 Input read_input(const std::string& file, const ShapeOptions& options) {
   if (names_link(file)) return {"link", linked(file, options).document};
   const Source source = read_source(file);
-  return {source.name, choose_shape(source.text, source.name, options)};
+  return choose_shape(source.text, source.name, options);
 }
 
 InputShapes read_all_shapes(const std::string& file, const ShapeOptions& options) {
   if (names_link(file)) return {"link", {linked(file, options)}};
   const Source source = read_source(file);
-  return {source.name, all_shapes(source.text, source.name, options)};
+  return all_shapes(source.text, source.name, options);
 }
 
 std::string read_standard_input() { return read_all(stdin, "standard input"); }
@@ -323,6 +323,8 @@ Import read_text(const std::string& text, const std::string& source, const Shape
   return std::move(read).value();
 }
 
+bool has_y_down(const Import& import) { return import.format == "SVG"; }
+
 // Writes to standard error, without failing.
 void say(const std::string& source, const std::string& what) {
   print_failure({0, source, what, {}});
@@ -358,8 +360,8 @@ bool ShapeOptions::keeps_holes() const {
   throw bad_value("--holes", "expected yes or no", *holes);
 }
 
-Document choose_shape(const std::string& text, const std::string& source,
-                      const ShapeOptions& options) {
+Input choose_shape(const std::string& text, const std::string& source,
+                   const ShapeOptions& options) {
   const Import import = read_text(text, source, options);
   const Result<std::size_t> chosen = evenlift::choose_shape(import, options.shape);
   const bool is_list_of_use = !chosen && chosen.error().code == ErrorCode::unsupported;
@@ -371,11 +373,11 @@ Document choose_shape(const std::string& text, const std::string& source,
                   listed(import.shapes)};
   const ImportedShape& shape = import.shapes[*chosen];
   report(import, shape.tolerance, source, options);
-  return shape.document;
+  return {source, shape.document, has_y_down(import)};
 }
 
-std::vector<ImportedShape> all_shapes(const std::string& text, const std::string& source,
-                                      const ShapeOptions& options) {
+InputShapes all_shapes(const std::string& text, const std::string& source,
+                       const ShapeOptions& options) {
   Import import = read_text(text, source, options);
   std::optional<double> tolerance;  // the greatest
   for (const ImportedShape& shape : import.shapes)
@@ -384,7 +386,7 @@ std::vector<ImportedShape> all_shapes(const std::string& text, const std::string
   import.shapes.resize(count_parts(import));
   const Result<std::size_t> only = evenlift::choose_shape(import, std::nullopt);
   if (!options.offered && !only) say(source, only.error().message + "; all shapes are taken");
-  return std::move(import.shapes);
+  return {source, std::move(import.shapes), has_y_down(import)};
 }
 
 }  // namespace evenlift::native

@@ -27,19 +27,6 @@ struct ShapeOptions {
   bool selects_all() const { return shape == "all"; }
 };
 
-// Returns the selected shape, or the only one. Reports on standard error what was left out and how
-// the text was read, one line each. Throws Failure if the text or an option is invalid. The user
-// must select a shape if there are several, or if open lines that were left out span more than any
-// shape; without a selection, throws a Failure that lists the shapes.
-Document choose_shape(const std::string& text, const std::string& source,
-                      const ShapeOptions& options);
-
-// Returns all shapes. Reports the same as choose_shape(). If choose_shape() would require a
-// selection but the command has no option for it, also reports that all shapes are taken. Throws
-// Failure if the text or an option is invalid.
-std::vector<ImportedShape> all_shapes(const std::string& text, const std::string& source,
-                                      const ShapeOptions& options);
-
 // --- Reads and writes whole files, byte for byte. All functions except is_same_file() and read_file()
 // throw Failure.
 
@@ -47,6 +34,8 @@ std::vector<ImportedShape> all_shapes(const std::string& text, const std::string
 struct Input {
   std::string source;  // the name in errors: the path, "standard input" or "link"
   Document document;
+  bool y_down = false;                              // y points down in the file, an SVG
+  std::vector<std::size_t> lines_of_supports = {};  // in their file, if they come from one
 };
 Input read_input(const std::string& file, const ShapeOptions& options);
 
@@ -54,8 +43,21 @@ Input read_input(const std::string& file, const ShapeOptions& options);
 struct InputShapes {
   std::string source;
   std::vector<ImportedShape> shapes;
+  bool y_down = false;
 };
 InputShapes read_all_shapes(const std::string& file, const ShapeOptions& options = {});
+
+// Returns the selected shape, or the only one. Reports on standard error what was left out and how
+// the text was read, one line each. Throws Failure if the text or an option is invalid. The user
+// must select a shape if there are several, or if open lines that were left out span more than any
+// shape; without a selection, throws a Failure that lists the shapes.
+Input choose_shape(const std::string& text, const std::string& source, const ShapeOptions& options);
+
+// Returns all shapes. Reports the same as choose_shape(). If choose_shape() would require a
+// selection but the command has no option for it, also reports that all shapes are taken. Throws
+// Failure if the text or an option is invalid.
+InputShapes all_shapes(const std::string& text, const std::string& source,
+                       const ShapeOptions& options);
 
 // Returns the text on standard input, cut off after max_text_bytes + 1 bytes.
 std::string read_standard_input();

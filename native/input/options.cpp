@@ -4,6 +4,10 @@
 #include <thread>
 #include "evenlift/import.h"
 #include "evenlift/numbers.h"
+#include "evenlift/plane.h"
+#include "evenlift/polygon_with_holes.h"
+#include "evenlift/supports.h"
+#include "evenlift/wording.h"
 #include "input/command_line.h"
 
 namespace evenlift::native {
@@ -64,9 +68,9 @@ void take_readings(const SupportFile& read, const std::string& file, Document& d
   setting_option(Setting::readings, text, document);
 }
 
-// Returns whether the text named a file. If `weigh` is set, takes its readings.
-bool supports_option(const std::string& text, Document& document, bool weigh) {
-  if (!read_setting(Setting::supports, text, document)) return false;
+// Returns the lines of the robots if the text named a file. If `weigh` is set, takes its readings.
+std::vector<std::size_t> supports_option(const std::string& text, Document& document, bool weigh) {
+  if (!read_setting(Setting::supports, text, document)) return {};
   const std::optional<std::string> file = read_file(text);
   if (!file && text.find(',') == std::string::npos)
     throw Failure{bad_input_status, "--supports",
@@ -75,7 +79,7 @@ bool supports_option(const std::string& text, Document& document, bool weigh) {
                       "\"0,0 160,0 80,90\""};
   if (!file) {
     setting_option(Setting::supports, text, document);  // says what is wrong
-    return false;
+    return {};
   }
   const Result<SupportFile> read = read_support_file(*file);
   if (!read) throw bad_input(text, read.error());
@@ -85,16 +89,29 @@ bool supports_option(const std::string& text, Document& document, bool weigh) {
   const LengthUnit own = document.shown.units.length;
   const bool converts = read->unit != LengthUnit::none && own != LengthUnit::none;
   const double scale = converts ? in_metres(1, read->unit) / in_metres(1, own) : 1;
+  for (const std::string& note : read->notes) print_failure({0, text, note, {}});
   document.settings.supports.clear();
   for (const Vec2& place : by_contact ? read->contacts : read->places)
     document.settings.supports.push_back(place * scale);
+  document.settings.support_names = read->names;
   document.shown.support_capacities = read->capacities;
   for (std::optional<double>& capacity : document.shown.support_capacities)
     if (capacity) capacity = in_own_unit(*capacity, read->capacity_unit, document);
   document.settings.method = Method::given;
   document.moved = {};
   if (weigh) take_readings(*read, text, document);
-  return true;
+  return read->lines;
+}
+
+// Counts y of typed places downward if that was asked for; 0 stays without a sign.
+void turn(Document& document, const SettingOptions& options) {
+  if (!options.y_down) return;
+  if (options.typed(Setting::com) && document.centre_of_mass)
+    document.centre_of_mass->y = 0 - document.centre_of_mass->y;
+  if (options.typed(Setting::supports))
+    for (Vec2& support : document.settings.supports) support.y = 0 - support.y;
+  if (auto& heading = document.settings.weighed.heading; heading && options.typed(Setting::heading))
+    heading->y = 0 - heading->y;
 }
 
 }  // namespace
@@ -129,9 +146,11 @@ void setting_option(Setting setting, const std::string& text, Document& document
   }
 }
 
-void add_cargo(const std::string& text, Document& document) {
+void add_cargo(const std::string& text, Document& document, bool y_down) {
   Document more;
   setting_option(Setting::cargo, text, more);
+  if (y_down)
+    for (Cargo& item : more.settings.cargo) item.at.y = 0 - item.at.y;
   std::vector<Cargo>& cargo = document.settings.cargo;
   if (text == "none") cargo.clear();
   cargo.insert(cargo.end(), more.settings.cargo.begin(), more.settings.cargo.end());
@@ -155,16 +174,18 @@ void SettingOptions::declare(CommandLine& line, OptionGroup group) {
     }
 }
 
-void SettingOptions::apply(Document& document) const {
+std::vector<std::size_t> SettingOptions::apply(Document& document) const {
   for (const SettingRow& row : all_settings())
     if (typed(row.setting) && row.setting != Setting::supports && row.setting != Setting::cargo)
       setting_option(row.setting, *typed(row.setting), document);
-  if (const Typed& cargo = typed(Setting::cargo)) add_cargo(*cargo, document);
+  if (const Typed& cargo = typed(Setting::cargo)) add_cargo(*cargo, document, y_down);
   // The file of supports may need the unit. Supports set the method; another is refused below.
   const Method method = document.settings.method;
   const Typed& supports = typed(Setting::supports);
-  const bool from_file = supports && supports_option(*supports, document, weigh);
-  if (weigh && !from_file)
+  std::vector<std::size_t> lines;
+  if (supports) lines = supports_option(*supports, document, weigh);
+  turn(document, *this);
+  if (weigh && lines.empty())
     throw Failure{bad_input_status, "--weigh", "applies to --supports with a file of supports"};
   if (typed(Setting::method)) document.settings.method = method;
   for (const Setting needs :
@@ -183,6 +204,7 @@ void SettingOptions::apply(Document& document) const {
     if (typed(row.setting))
       if (const std::string why = why_unused(row, document.settings); !why.empty())
         throw Failure{bad_input_status, as_typed(row.name), why};
+  return lines;
 }
 
 std::optional<std::string> SettingOptions::supports_file() const {
@@ -197,37 +219,123 @@ void InputOptions::declare(CommandLine& line, const std::string& help) {
   settings.declare(line, OptionGroup::placement);
   line.flag(settings.weigh, "--weigh",
             "the file of --supports has a column of readings: they give the weight and C");
+  line.flag(settings.y_down, "--y-down",
+            "in an SVG: typed and printed places are the file's own, with y downward");
   shapes.declare(line);
 }
 
+namespace {
+
+std::string place_text(const Vec2& at) {
+  return "(" + shortest(at.x) + ", " + shortest(written_y(at.y) + 0.0) + ")";
+}
+
+enum class Fits { support, load, centre };
+
+// "; (3, -4) would be inside: …" if the mirror image of a place outside would fit there.
+std::string mirrored(const Input& input, const SettingOptions& options, const Vec2& at, Fits as) {
+  const Result<PolygonWithHoles> object = object_of(input.document);
+  if (!object || at.y == 0) return {};
+  const Vec2 image(at.x, -at.y);
+  const Polygon& outline = object->outline();
+  const bool fits = as == Fits::support
+                        ? SupportPlacer(*object, input.document.settings).place(image).has_value()
+                    : as == Fits::centre ? inside(outline.hull(), image)
+                                         : is_inside(outline, image);
+  if (!fits) return {};
+  return "; " + place_text(image) + " would be inside: " +
+         (options.y_down ? "--y-down counts y downward"
+          : input.y_down ? "y points up here, and --y-down counts it downward, as the file does"
+                         : "y points up here");
+}
+
+// The number in "supports[3]"; the greatest number for other paths.
+std::size_t support_of(std::string_view path) {
+  const std::string begin = std::string(name(Setting::supports)) + "[";
+  if (!path.starts_with(begin)) return SIZE_MAX;
+  path.remove_prefix(begin.size());
+  return static_cast<std::size_t>(read_whole(path.substr(0, path.find(']'))).value_or(SIZE_MAX));
+}
+
+// Says which of the typed loads is outside the object.
+void tell_loads_outside(const Input& input, const SettingOptions& options) {
+  if (!options.typed(Setting::cargo)) return;
+  const Result<PolygonWithHoles> object = object_of(input.document);
+  if (!object) return;
+  for (const Cargo& item : input.document.settings.cargo) {
+    if (SupportPlacer(*object, input.document.settings).distance(item.at) == 0 ||
+        is_inside(object->outline(), item.at))
+      continue;
+    print_failure({0,
+                   "--cargo",
+                   "the load at " + place_text(item.at) + " is outside the object" +
+                       mirrored(input, options, item.at, Fits::load),
+                   {}});
+    return;
+  }
+}
+
+}  // namespace
+
 Input InputOptions::read() const {
   Input input = read_input(file, shapes);
-  apply(input.document);
+  tell_y(input.source, input.y_down);
+  input.lines_of_supports = apply(input.document);
+  tell_loads_outside(input, settings);
   return input;
 }
 
 InputShapes InputOptions::read_all() const {
   InputShapes input = read_all_shapes(file, shapes);
+  tell_y(input.source, input.y_down);
   for (ImportedShape& shape : input.shapes) apply(shape.document);
   return input;
 }
 
-void InputOptions::apply(Document& document) const {
-  settings.apply(document);
+std::vector<std::size_t> InputOptions::apply(Document& document) const {
+  std::vector<std::size_t> lines = settings.apply(document);
   if (shapes.project && document.shown.units.length != LengthUnit::m)
     throw Failure{bad_input_status, "--unit", "coordinates are in m with --project"};
+  return lines;
 }
 
-Failure SettingOptions::failure(const std::string& source, const InputError& error) const {
+void InputOptions::tell_y(const std::string& source, bool y_down) const {
+  if (settings.y_down && !y_down)
+    throw Failure{bad_input_status, "--y-down", "applies to an SVG, in which y points down"};
+  if (settings.y_down) return write_y_down();
+  const bool has_places = settings.typed(Setting::com) || settings.typed(Setting::supports) ||
+                          settings.typed(Setting::cargo);
+  if (y_down && has_places)
+    print_failure({0,
+                   source,
+                   "places are read and printed with y upward, so (x, y) of the file is (x, -y); "
+                   "with --y-down they are as in the file",
+                   {}});
+}
+
+Failure SettingOptions::failure(const Input& input, const InputError& error) const {
   if (error.place.kind == Place::Kind::option) {
     const std::string& path = error.place.option;
+    const std::size_t support = support_of(path);
+    std::string what = error.message;
+    const Points& supports = input.document.settings.supports;
+    if (support < supports.size()) what += mirrored(input, *this, supports[support], Fits::support);
+    if (support < input.lines_of_supports.size())
+      return {
+          bad_input_status,
+          *typed(Setting::supports) + ": line " + std::to_string(input.lines_of_supports[support]),
+          what};
     const std::string words = describe(error.place);
     return {bad_input_status, as_typed(path.substr(0, path.find_first_of("[."))),
-            (words == path ? "" : words + ": ") + error.message};
+            (words == path ? "" : words + ": ") + what};
   }
   if (error.place.kind == Place::Kind::centre_of_mass && typed(Setting::com))
-    return {bad_input_status, "--com", error.message};
-  return bad_input(source, error);
+    return {
+        bad_input_status, "--com",
+        error.message + (input.document.centre_of_mass
+                             ? mirrored(input, *this, *input.document.centre_of_mass, Fits::centre)
+                             : std::string())};
+  return bad_input(input.source, error);
 }
 
 void PoseFileOptions::declare(CommandLine& line) {

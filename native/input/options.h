@@ -27,7 +27,7 @@ unsigned jobs_option(const std::optional<std::string>& text);
 void setting_option(Setting setting, const std::string& text, Document& document);
 LoadModel loads_option(const std::string& text);
 // Adds typed cargo to the document's; `none` removes it. Throws Failure like setting_option().
-void add_cargo(const std::string& text, Document& document);
+void add_cargo(const std::string& text, Document& document, bool y_down = false);
 
 // The options for the settings in the table of settings.h. If an option is not typed, its setting
 // keeps the file's value or the default.
@@ -36,17 +36,20 @@ class SettingOptions {
   void declare(CommandLine& line, OptionGroup group);
   // The file of supports has what they read.
   bool weigh = false;
+  // In typed places and files of supports, y points down.
+  bool y_down = false;
 
   // Applies the typed settings. Throws Failure with the option's name if a text is invalid, or if
   // the method does not use the setting. Combinations of settings are checked later, with the rest
-  // of the document.
-  void apply(Document& document) const;
+  // of the document. Returns where supports stand in their file, if they come from one.
+  std::vector<std::size_t> apply(Document& document) const;
 
   // The path of the file that --supports names; nullopt if it names no file.
   std::optional<std::string> supports_file() const;
 
-  // The Failure for an error of the document. The Failure names the option at fault, if any.
-  Failure failure(const std::string& source, const InputError& error) const;
+  // The Failure for an error of the document. The Failure names the option at fault, if any, or
+  // the line of the file of supports.
+  Failure failure(const Input& input, const InputError& error) const;
 
   using Typed = std::optional<std::string>;
   const Typed& typed(Setting setting) const { return typed_[static_cast<std::size_t>(setting)]; }
@@ -69,7 +72,8 @@ struct InputOptions {
   InputShapes read_all() const;
 
  private:
-  void apply(Document& document) const;
+  std::vector<std::size_t> apply(Document& document) const;
+  void tell_y(const std::string& source, bool y_down) const;
 };
 
 struct PosesAsked {

@@ -54,9 +54,9 @@ std::string numbers_of(const Placement& placement, const std::vector<std::size_t
 
 std::string yes_or_no(bool value) { return value ? "yes" : "no"; }
 
-Row failure_row(std::uint32_t number, std::size_t team, const std::optional<RestOfRobots>& rest,
+Row failure_row(const std::string& robot, std::size_t team, const std::optional<RestOfRobots>& rest,
                 double largest, bool with_disturbance) {
-  Row row = {std::to_string(number), std::to_string(team + 1), yes_or_no(rest.has_value())};
+  Row row = {robot, std::to_string(team + 1), yes_or_no(rest.has_value())};
   if (!rest) {
     row.resize(with_disturbance ? 12 : 10, "-");
     return row;
@@ -149,7 +149,7 @@ std::string failure_table(const Reported& of) {
   if (capacities) rows[0].push_back(with_disturbance ? "can be overloaded" : "overloaded");
   for (std::size_t robot = 0; robot < failures.size(); ++robot) {
     const std::optional<RestOfRobots>& rest = failures[robot];
-    rows.push_back(failure_row(of.placement.number_of(robot),
+    rows.push_back(failure_row(of.placement.called(robot),
                                find_robot(of.placement.teams, robot).team, rest, largest,
                                with_disturbance));
     if (capacities)

@@ -104,6 +104,7 @@ constexpr Named given[] = {
     {Setting::overlays, "Overlay[] | Overlays | string"},
     {Setting::supports, "(Point | Support)[] | string"},
     {Setting::support_capacities, "(number | null)[] | string"},
+    {Setting::support_names, "(string | null)[] | string"},
     {Setting::cargo, "(Cargo | (Point, number) | (Point, number, string))[] | string"},
     {Setting::slope, "number | string"},
     {Setting::acceleration, "number | string"},
@@ -116,6 +117,7 @@ constexpr Named given[] = {
     {Setting::weight_doubt, "number | string"}};
 constexpr Named told[] = {{Setting::supports, "Position[]"},
                           {Setting::support_capacities, "(number | null)[]"},
+                          {Setting::support_names, "(string | null)[]"},
                           {Setting::cargo, "CargoItem[]"},
                           {Setting::readings, "number[]"},
                           {Setting::reading_error, "number | string"},

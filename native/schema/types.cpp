@@ -132,6 +132,7 @@ constexpr TypeMember robot[] = {
      "the direction of the inward normal in degrees, above −180 and up to 180 (at a vertex, the bisector of the normals of "
      "its two edges); `null` beneath the object"},
     {"place", R"("edge" | "beneath")", "only a support stands beneath"},
+    {"name?", "string", "of a support, if it has one"},
     {"support?", "integer", "its number among `supports`, counted from 0, if some are left out"}};
 constexpr TypeMember left_out[] = {
     {"kind", R"("support" | "hole")", ""},

@@ -186,6 +186,12 @@ inline void take_random_supports(Rng& rng, Document& document) {
   for (auto& capacity : capacities)
     if (rng.below(2) == 0) capacity = 1 + rng.uniform();
   capacities.back() = 30;
+  if (rng.below(2) == 0) return;
+  auto& names = document.settings.support_names;
+  for (std::size_t i = 0; i < document.settings.supports.size(); ++i)
+    names.push_back(i % 3 == 0   ? "jack" + std::to_string(i)
+                    : i % 3 == 1 ? std::string()
+                                 : "a \"b\" none");
 }
 
 // With a few bytes changed, dropped, doubled or moved.

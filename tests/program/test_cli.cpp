@@ -289,6 +289,36 @@ TEST_CASE("supports in metres stand on an object in millimetres", "[cli][slow]")
   CHECK(outcome.output.find("\"at\": [4000, 0]") != std::string::npos);
 }
 
+TEST_CASE("places on an SVG are read with y upward, or with --y-down as in the file", "[cli]") {
+  const Folder folder("y-down");
+  corpus::write_file(folder.path() / "panel.svg",
+                     "<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0H1722V1134H0Z'/></svg>");
+  const std::string place = "evenlift place panel.svg --weight 64 ";
+  const Outcome upward =
+                    run(folder,
+                        place + "--supports '0,0 1722,0 1722,-1134 0,-1134' --cargo 400,-300:38"),
+                down = run(
+                    folder,
+                    place + "--y-down --supports '0,0 1722,0 1722,1134 0,1134' --cargo 400,300:38");
+  CHECK(
+      upward.errors ==
+      "evenlift: panel.svg: places are read and printed with y upward, so (x, y) of the file is (x, -y); "
+      "with --y-down they are as in the file\n");
+  CHECK(down.errors.empty());
+  CHECK(upward.output.find("(1722.0, \u22121134.0)") != std::string::npos);
+  CHECK(down.output.find("(1722.0, 1134.0)") != std::string::npos);
+  CHECK(down.output.find("Centre of mass                (689.3, 467.5)") != std::string::npos);
+  // Links and JSON are evenlift's own.
+  for (const std::string format : {"--json", "--failures --json"})
+    CHECK(
+        run(folder, place + "--supports '0,0 1722,0 1722,-1134 0,-1134' " + format).output ==
+        run(folder, place + "--y-down --supports '0,0 1722,0 1722,1134 0,1134' " + format).output);
+  const std::string load =
+      "evenlift: --cargo: the load at (400, 300) is outside the object; (400, -300) would be "
+      "inside: y points up here, and --y-down counts it downward, as the file does\n";
+  CHECK(run(folder, place + "--cargo 400,300:38").errors.ends_with(load));
+}
+
 TEST_CASE("the option --shape all places every shape, whatever becomes of the others",
           "[cli][slow]") {
   const Folder folder("all-shapes");

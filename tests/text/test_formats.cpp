@@ -356,11 +356,11 @@ TEST_CASE("a motor's line gives its place, weight and name", "[formats][cargo]")
   for (const char* line : {"Cargo:(0,0) 0", "Cargo:(0,0) -1 box", "Cargo:(0,0) 1.1e100"})
     CHECK(wrong(line) == weight);
   CHECK(wrong("Cargo:(0,0) 1 " + longest + "x") ==
-        "line 4, column 15: the name of cargo must have at most 60 characters");
-  CHECK(wrong("Cargo:(0,0) 1 a\xff") == "line 4, column 15: the name of cargo must be valid UTF-8");
+        "line 4, column 15: a name must have at most 60 characters");
+  CHECK(wrong("Cargo:(0,0) 1 a\xff") == "line 4, column 15: a name must be valid UTF-8");
   for (const char* name : {"a\tb", "a\x7f", "a\xc2\x85"})
     CHECK(wrong(std::string("Cargo:(0,0) 1 ") + name) ==
-          "line 4, column 15: the name of cargo must have no control characters");
+          "line 4, column 15: a name must have no control characters");
   CHECK(wrong("Cargo:(0,0) motor").find("expected a weight after ')'") != std::string::npos);
   CHECK(wrong("Cargo:(0,0)").find("expected a weight after ')'") != std::string::npos);
   CHECK(wrong("Cargo:(0,0) 12kg").find("expected a space or the end of the line") !=

@@ -20,6 +20,9 @@ using evenlift::testing::placed;
 
 namespace {
 
+const std::string heading =
+    "robot,team,x,y,heading_deg,load,unit,weight_unit,at_x,at_y,contact_x,contact_y,name\n";
+
 // At this point of a square of side 4 with C at (2, 2).
 Placement one_robot(const Vec2& at, std::uint32_t edge) {
   Placement placement(solid(testing::polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}})));
@@ -68,10 +71,10 @@ TEST_CASE("a frame is a name that ROS 2 takes", "[poses]") {
 
 TEST_CASE("a table has a row for each robot, with its units", "[poses]") {
   CHECK(poses_text(one_robot({1, 0}, 0), PoseFormat::csv) ==
-        "robot,team,x,y,heading_deg,load,unit,weight_unit\n1,1,1,0,90,12.5,,kg\n");
+        heading + "1,1,1,0,90,12.5,,kg,1,0,1,0,\n");
   CHECK(poses_text({one_robot({1, 0}, 0), in_units(LengthUnit::mm, WeightUnit::lb)},
                    PoseFormat::csv, {PoseOrigin::com, "object"}) ==
-        "robot,team,x,y,heading_deg,load,unit,weight_unit\n1,1,-1,-2,90,12.5,mm,lb\n");
+        heading + "1,1,-1,-2,90,12.5,mm,lb,-1,-2,-1,-2,\n");
 }
 
 TEST_CASE("poses in JSON name their frame, origin and units", "[poses]") {
@@ -83,7 +86,8 @@ TEST_CASE("poses in JSON name their frame, origin and units", "[poses]") {
   REQUIRE(poses["robots"].size() == 1);
   const Json& robot = poses["robots"][0];
   CHECK(robot == Json::parse(R"({"robot": 1, "team": 1, "x": 1, "y": 0, "heading_deg": 90,
-                                 "direction": [0, 1], "load": 12.5})"));
+                                 "direction": [0, 1], "load": 12.5, "at": [1, 0],
+                                 "contact": [1, 0]})"));
 }
 
 TEST_CASE("a message of ROS 2 is in metres", "[poses]") {
@@ -149,8 +153,7 @@ TEST_CASE("the rotations of all samples' robots are their headings", "[poses]") 
 
 TEST_CASE("a placement without robots has no poses", "[poses]") {
   Placement placement(solid(testing::polygon(testing::square)));
-  CHECK(poses_text(placement, PoseFormat::csv) ==
-        "robot,team,x,y,heading_deg,load,unit,weight_unit\n");
+  CHECK(poses_text(placement, PoseFormat::csv) == heading);
   CHECK(Json::parse(poses_text(placement, PoseFormat::json))["robots"].empty());
   CHECK(poses_text(placement, PoseFormat::yaml).ends_with("poses: []\n"));
 }

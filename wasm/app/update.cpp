@@ -161,8 +161,8 @@ struct Applier {
   void operator()(const PutRobot& c) const { put_support(state, c.robot, c.at); }
   void operator()(const RemoveRobot& c) const { remove_support(state, c.robot); }
   void operator()(const EvenOut&) const { even_out_supports(state); }
-  void operator()(SetReadings& c) const {
-    edit(state, false, edit_of(row_of(Setting::readings))) = std::move(c.document);
+  void operator()(SetSupports& c) const {
+    edit(state, false, edit_of(row_of(c.setting))) = std::move(c.document);
   }
   void operator()(const TakeOver&) const {
     const auto& placement = state.derived().placement;

@@ -87,8 +87,9 @@ std::string settings_text(const Document& document) {
 
 std::string settings_for_others(const Document& document) {
   constexpr Setting of_this_object[] = {
-      Setting::com,   Setting::no_go,    Setting::supports, Setting::support_capacities,
-      Setting::cargo, Setting::overlays, Setting::step,     Setting::failed};
+      Setting::com,           Setting::no_go, Setting::supports, Setting::support_capacities,
+      Setting::support_names, Setting::cargo, Setting::overlays, Setting::step,
+      Setting::failed};
   Document others = document;
   if (others.settings.method == Method::given) others.settings.method = Method::area;
   std::string text;

@@ -20,8 +20,6 @@
 namespace evenlift::view {
 namespace {
 
-using Capacities = std::vector<std::optional<double>>;
-
 bool has_robots(const AppState& state) {
   return !state.derived().refusal && state.derived().placement;
 }
@@ -44,17 +42,26 @@ Document& edit_supports(AppState& state, bool live) {
   document.settings = std::move(own);
   if (before == Method::given) return document;
   state.work.aside.method = before;
+  document.settings.support_names.clear();
   state.work.show().support_capacities.clear();
   show(state, {Notice::Kind::info, "The robots now stand where you put them.", way_back(before)});
   return document;
 }
 
-void remove_capacity(Capacities& capacities, std::size_t robot) {
-  if (robot < capacities.size())
-    capacities.erase(capacities.begin() + static_cast<std::ptrdiff_t>(robot));
-  if (std::none_of(capacities.begin(), capacities.end(),
-                   [](const auto& c) { return c.has_value(); }))
-    capacities.clear();
+template <class Value>
+void remove_at(std::vector<Value>& values, std::size_t i) {
+  if (i < values.size()) values.erase(values.begin() + static_cast<std::ptrdiff_t>(i));
+  if (std::all_of(values.begin(), values.end(),
+                  [](const Value& value) { return value == Value(); }))
+    values.clear();
+}
+
+// A support with its name and capacity.
+void remove_from(Document& document, std::size_t support) {
+  Points& supports = document.settings.supports;
+  supports.erase(supports.begin() + static_cast<std::ptrdiff_t>(support));
+  remove_at(document.settings.support_names, support);
+  remove_at(document.shown.support_capacities, support);
 }
 
 // Places the document here and notes the moved robot, so that its card stays open.
@@ -190,10 +197,8 @@ void take_away_dragged_out(AppState& state) {
   const auto support = std::exchange(state.view.dragged_out, std::nullopt);
   if (!support || !state.work.edit_open) return;
   Document& document = state.work.edit();
-  Points& supports = document.settings.supports;
-  if (*support >= supports.size()) return;
-  supports.erase(supports.begin() + static_cast<std::ptrdiff_t>(*support));
-  remove_capacity(document.shown.support_capacities, *support);
+  if (*support >= document.settings.supports.size()) return;
+  remove_from(document, *support);
   show(state, {Notice::Kind::info, say("Robot {robot} is taken away.", {*support + 1}),
                say("Bring it back")});
 }
@@ -204,6 +209,7 @@ void place_yourself(AppState& state, std::size_t robots) {
   if (settings(state).method != Method::given) state.work.aside.method = settings(state).method;
   Settings own = with_method(settings(state), Method::given, 1);
   own.supports = supports_to_place(placement.object, placement.centre_of_mass, robots, own);
+  own.support_names.clear();
   edit(state, false, Edit::robots_moved).settings = std::move(own);
   state.work.show().support_capacities.clear();
   if (!state.view.challenge)  // its card says it
@@ -237,8 +243,9 @@ void add_support(AppState& state, std::optional<Vec2> at) {
   if (!at) return;
   Document& document = edit_supports(state, false);
   document.settings.supports.push_back(*at);
-  Capacities& capacities = state.work.show().support_capacities;
-  if (!capacities.empty()) capacities.emplace_back();
+  if (auto& names = document.settings.support_names; !names.empty()) names.emplace_back();
+  if (auto& capacities = document.shown.support_capacities; !capacities.empty())
+    capacities.emplace_back();
 }
 
 void remove_support(AppState& state, std::optional<std::size_t> robot) {
@@ -248,10 +255,7 @@ void remove_support(AppState& state, std::optional<std::size_t> robot) {
   const std::size_t gone = robot.value_or(number - 1);
   if (gone >= number) return;
   Document& document = edit_supports(state, false);
-  Points& supports = document.settings.supports;
-  if (gone >= supports.size()) return;
-  supports.erase(supports.begin() + static_cast<std::ptrdiff_t>(gone));
-  remove_capacity(state.work.show().support_capacities, gone);
+  if (gone < document.settings.supports.size()) remove_from(document, gone);
 }
 
 void even_out_supports(AppState& state) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "evenlift/output/markup.h"
 #include "evenlift/output/picture.h"
 #include "evenlift/output/words.h"
 #include "tools/pick.h"
@@ -303,8 +304,9 @@ Occupied occupied_by_marks(const CanvasView& view, double reach) {
 
 std::vector<LoadLabel> load_labels(const CanvasView& view, const DiscSize& size,
                                    const Report& report, Occupied& occupied) {
-  if (report.greatest == 0) return {};
   const Placement& placement = *view.placement;
+  const bool carried = report.greatest > 0;
+  if (!carried && placement.settings.support_names.empty()) return {};
   const Vec2 middle = view.camera.to_screen(placement.centre_of_mass);
   const bool few = pairs_of(placement.teams) <= 8;
   const std::vector<PlacedRobot> bodies = drawn_bodies(view);
@@ -314,15 +316,19 @@ std::vector<LoadLabel> load_labels(const CanvasView& view, const DiscSize& size,
   std::size_t number = 0;
   for (const Team& team : placement.teams) {
     for (const Robot& robot : team.robots) {
-      const LoadRange& load = report.loads[number++];
+      const std::string_view name = placement.name_of(number);
+      const LoadRange load = carried ? report.loads[number] : LoadRange{};
+      ++number;
       const bool failed = view.failure() && view.failure()->robot + 1 == number;
       const Vec2 lifts = view.camera.to_screen(robot.point.position);
-      if (failed || !view.window.contains(lifts)) continue;
+      if (failed || !view.window.contains(lifts) || (!carried && name.empty())) continue;
       const bool body = !bodies.empty();
       const Vec2 at = body ? view.camera.to_screen(bodies[number - 1].stand) : lifts;
       const Vec2 away = at - middle;
-      texts.push_back(load_in_words(report.model, load, report.greatest, shown(view.state).units));
-      over.push_back(view.overloads(number - 1, load.greatest));
+      texts.push_back(robot_label(name, carried ? load_in_words(report.model, load, report.greatest,
+                                                                shown(view.state).units)
+                                                : std::string()));
+      over.push_back(carried && view.overloads(number - 1, load.greatest));
       const ImVec2 text = text_size(Face::strong_label, texts.back());
       requests.push_back({at, away / std::max(length(away), 1e-9), Vec2(text.x + 12, text.y + 6),
                           body ? body_radius(view) + 4 : 0});

@@ -344,7 +344,7 @@ EMSCRIPTEN_KEEPALIVE int page_robot_count() {
   return static_cast<int>(supports_now(app().state).size());
 }
 
-// From `first` on: [[x, y, "16.7 kg"], …].
+// From `first` on: [[x, y, name, reading, "16.7 kg"], …].
 EMSCRIPTEN_KEEPALIVE const char* page_robots(int first, int count) {
   const AppState& state = app().state;
   const evenlift::Points robots = supports_now(state);
@@ -360,21 +360,52 @@ EMSCRIPTEN_KEEPALIVE const char* page_robots(int first, int count) {
   for (std::size_t i = from; i < to; ++i) {
     const std::string& load = of_supports[i];
     const std::string reading = i < readings.size() ? json::number(readings[i]) : json::text("");
-    rows.push_back(json::array(
-        {json::number(robots[i].x), json::number(robots[i].y), reading, json::text(load)}));
+    rows.push_back(
+        json::array({json::number(robots[i].x), json::number(robots[i].y),
+                     json::text(placement.name_of_support(i)), reading, json::text(load)}));
   }
   return hand_over(json::array(rows));
 }
 
-// Changes one coordinate. Robots of other methods are taken over.
+}  // extern "C"
+
+namespace {
+
+// The document with robots that stand where the user puts them.
+Document with_supports(const AppState& state) {
+  Document document = state.work.document();
+  document.settings = evenlift::view::taken_over(document.settings, *state.derived().placement);
+  document.moved = {};
+  return document;
+}
+
+std::string name_robot(std::size_t robot, const char* text) {
+  Document named = with_supports(app().state);
+  auto& names = named.settings.support_names;
+  names.resize(named.settings.supports.size());
+  names[robot] = text;
+  const std::string all = text_of(evenlift::Setting::support_names, named);
+  if (const auto wrong = read_setting(evenlift::Setting::support_names, all, named))
+    return sentence(*wrong);
+  carry_out(
+      {EndEdit{}, SetSupports{evenlift::Setting::support_names, std::move(named)}, EndEdit{}});
+  return {};
+}
+
+}  // namespace
+
+extern "C" {
+
+// Changes one coordinate or, as axis 2, the name. Robots of other methods are taken over.
 EMSCRIPTEN_KEEPALIVE const char* page_set_robot(int robot, std::size_t axis, const char* text) {
   const AppState& state = app().state;
   evenlift::Points robots = supports_now(state);
+  if (robot < 0 || robot >= static_cast<int>(robots.size()))
+    return hand_over(say("This robot no longer exists"));
+  if (axis == 2) return hand_over(name_robot(static_cast<std::size_t>(robot), text));
   std::string problem;
   const std::optional<double> value = coordinate(text, problem);
   if (!value) return hand_over(std::move(problem));
-  if (robot < 0 || robot >= static_cast<int>(robots.size()))
-    return hand_over(say("This robot no longer exists"));
   Vec2& to = robots[static_cast<std::size_t>(robot)];
   to[axis] = *value;
   evenlift::Settings moved = settings(state);
@@ -390,9 +421,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_robot(int robot, std::size_t axis, con
 EMSCRIPTEN_KEEPALIVE const char* page_set_readings(const char* text) {
   AppState& state = app().state;
   if (!state.derived().placement) return hand_over({});
-  Document weighed = state.work.document();
-  weighed.settings = evenlift::view::taken_over(weighed.settings, *state.derived().placement);
-  weighed.moved = {};
+  Document weighed = with_supports(state);
   if (const auto wrong = read_setting(evenlift::Setting::readings, text, weighed))
     return hand_over(sentence(*wrong));
   if (!weighed.settings.weighed.readings.empty()) {
@@ -402,7 +431,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_readings(const char* text) {
   if (const auto placed = place(weighed, evenlift::Effort::whole, evenlift::Misfitting::left_out);
       !placed)
     return hand_over(std::string(translated(placed.error().message)));
-  carry_out({EndEdit{}, SetReadings{std::move(weighed)}, EndEdit{}});
+  carry_out({EndEdit{}, SetSupports{evenlift::Setting::readings, std::move(weighed)}, EndEdit{}});
   return hand_over({});
 }
 

@@ -85,7 +85,8 @@ struct RemoveRobot {
   std::optional<std::size_t> robot;  // the number from 0; nothing: the last robot
 };
 struct EvenOut {};    // moves two or three given supports so that all loads become equal
-struct SetReadings {  // of all robots, which then give the weight and C
+struct SetSupports {  // with other names, or with readings, which then give the weight and C
+  Setting setting;
   Document document;
 };
 struct TakeOver {};     // makes what the readings told the object's, without readings
@@ -329,7 +330,7 @@ struct AddStep {
 using AnyCommand = std::variant<
     SetSettings, SetMethod, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
     AddWeight, SetCargo, OpenDocument, SetPolygon, EndEdit, MoveRobot, PlaceYourself, CloseTask,
-    SetChallenge, AddRobot, PutRobot, RemoveRobot, EvenOut, SetReadings, TakeOver, ResetRobots,
+    SetChallenge, AddRobot, PutRobot, RemoveRobot, EvenOut, SetSupports, TakeOver, ResetRobots,
     Undo, Redo, SetShown, SetTool, GripPolygon, AddPoint, MovePoint, TakePointBack, PutPointBack,
     FinishDrawing, SetDrawCursor, TypeEdge, WithdrawEdge, SetSnap, Compare, Fail, SetLoadModel,
     SetMotion, OpenWalkthrough, CloseWalkthrough, GoToStep, MoveSteps, MoveChapters, SetPlaying,

@@ -27,7 +27,10 @@ inline bool takes_sizes(Method method) { return is_one_team(method) || selects_c
 // them. The goal is also reset if the method changes from balanced robots to teams.
 inline Settings with_method(Settings settings, Method method, std::uint32_t teams) {
   const bool balanced = method == Method::balanced;
-  if (method != Method::given) settings.supports.clear();
+  if (method != Method::given) {
+    settings.supports.clear();
+    settings.support_names.clear();
+  }
   if (!settings.teams && !selects_candidates(method) && !balanced) settings.teams = teams;
   const bool from_balanced = settings.method == Method::balanced;
   if (!balanced && (from_balanced || !selects_candidates(method))) settings.goal.reset();

@@ -18,8 +18,14 @@ function word(value) {
   return other ? JSON.stringify(value) : String(value);
 }
 
+function quoted(name) {
+  return `"${String(name ?? "")
+    .replaceAll('"', '""')
+    .replaceAll(/\s/g, " ")}"`;
+}
+
 function load({ at, weight, name = "" } = {}) {
-  return `${written("com", at)}:${word(weight)}${name && `:"${String(name).replaceAll('"', '""').replaceAll(/\s/g, " ")}"`}`;
+  return `${written("com", at)}:${word(weight)}${name && `:${quoted(name)}`}`;
 }
 
 function written(name, value) {
@@ -27,6 +33,7 @@ function written(name, value) {
   if (Array.isArray(value) && name === "supports") return value.map((at) => written("com", at)).join(" ") || "none";
   if (Array.isArray(value) && name.startsWith("readings")) return value.map(word).join(" ") || "none";
   if (Array.isArray(value) && name === "support_capacities") return value.map((load) => word(load ?? "none")).join(",");
+  if (Array.isArray(value) && name === "support_names") return value.map(quoted).join(" ") || "none";
   if (Array.isArray(value) && name === "cargo") return value.map(load).join(" ") || "none";
   if (Array.isArray(value) && lists.includes(name)) return value.map(word).join(",") || "none";
   if (typeof value === "string" && texts.includes(name) && /^[\w=.,:+@% -]+$/.test(value)) return value;

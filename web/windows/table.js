@@ -42,8 +42,8 @@ const lists = {
     pointed: "page_hovered_robot",
     select: "page_point_at_robot",
     add: ["page_add_robot", "Add a robot"],
-    columns: ["x", "y", "Reads", "Load"],
-    typed: ["x", "y", "reads"],
+    columns: ["x", "y", "Name", "Reads", "Load"],
+    typed: ["x", "y", "name", "reads"],
     digits: 6,
     least: 1,
   },
@@ -65,6 +65,8 @@ const lists = {
   },
 };
 
+const reading = lists.robots.typed.indexOf("reads");
+
 // Readings of robots while others have none, and the places of those robots: they stay when the table is closed.
 const waiting = { readings: new Map(), of: "" };
 
@@ -78,9 +80,10 @@ export async function show(page, { list } = {}) {
     if (!list) return;
   }
   const table = new Table(page);
+  const weighs = list === lists.robots; // then names are not of use
   const root = await openWindow({
     name,
-    title: list === lists.robots ? "Weigh it" : "Coordinates",
+    title: weighs ? "Weigh it" : "Coordinates",
     modal: false,
     tools: [table.whole],
     body: [
@@ -92,6 +95,7 @@ export async function show(page, { list } = {}) {
     ],
     closed: () => table.disconnect(),
   });
+  root?.classList.toggle("weighs", weighs);
   if (root) table.connect(root, list);
 }
 
@@ -181,7 +185,9 @@ class Table {
     this.#rows = [];
     this.#from = list === lists.vertices ? this.#from : 0;
     const heads = [list.one, ...list.columns];
-    this.head.replaceChildren(el("tr", {}, ...heads.map((head) => el("th", { scope: "col" }, head)), el("td", {})));
+    this.head.replaceChildren(
+      el("tr", {}, ...heads.map((head) => el("th", { scope: "col", class: head }, head)), el("td", {})),
+    );
     Object.values(lists).forEach((each, i) => {
       this.choice.children[i].setAttribute("aria-pressed", String(each === list));
     });
@@ -251,7 +257,7 @@ class Table {
       "tr",
       {},
       el("th", { scope: "row" }, name),
-      ...inputs.map((input) => el("td", {}, input)),
+      ...inputs.map((input, i) => el("td", { class: columns[i] }, input)),
       ...load,
       el("td", { class: "acts" }, ...(this.#list === lists.vertices ? [insert] : []), remove),
     );
@@ -289,7 +295,7 @@ class Table {
         this.#program.call("page_take_over");
         this.#told = translated("The weight and C are the object's now, without the readings. Undo brings them back.");
         this.#refresh();
-        if (matchMedia("(pointer: fine)").matches) this.#focus(0, 2); // the button is gone
+        if (matchMedia("(pointer: fine)").matches) this.#focus(0, reading); // the button is gone
       },
     });
     // More robots stood there than scales.
@@ -327,7 +333,7 @@ class Table {
     return JSON.stringify(this.#robots().map(([x, y]) => [x, y]));
   }
   #reads() {
-    return this.#robots().map((values, i) => waiting.readings.get(i) ?? String(values[2]));
+    return this.#robots().map((values, i) => waiting.readings.get(i) ?? String(values[reading]));
   }
 
   // Readings count once each robot has one; until then they wait.
@@ -408,7 +414,7 @@ class Table {
     const pointed = program.number(list.pointed);
     program.json(list.read, this.#from, shown).forEach((values, i) => {
       const { row, inputs, remove, load, vertex } = this.#rows[i];
-      if (list === lists.robots && waiting.readings.has(vertex)) values[2] = asRead(waiting.readings.get(vertex));
+      if (list === lists.robots && waiting.readings.has(vertex)) values[reading] = asRead(waiting.readings.get(vertex));
       write(inputs, values.slice(0, inputs.length), list.digits);
       if (load) load.textContent = values[inputs.length];
       row.className = vertex === selected ? "selected" : vertex === pointed ? "hovered" : "";
@@ -529,7 +535,7 @@ class Table {
       const vertex = this.#vertexOf(input);
       if (vertex >= 0 && !input.hasAttribute("aria-invalid"))
         this.#focus(vertex - this.#from + (up ? -1 : 1), this.#rows[vertex - this.#from].inputs.indexOf(input));
-    } else if (key === "Tab" && !event.shiftKey && input === this.#rows.at(-1)?.inputs[2]) {
+    } else if (key === "Tab" && !event.shiftKey && input === this.#rows.at(-1)?.inputs[reading]) {
       if (typed) this.#commit(input);
       if (input.hasAttribute("aria-invalid") || this.weighed.takeOver.hidden) return;
       this.weighed.takeOver.focus(); // not the button that deletes this robot
@@ -542,14 +548,14 @@ class Table {
   // From reading to reading, not by the buttons that delete robots.
   #tabsDown({ target, key, shiftKey }) {
     if (key !== "Tab" || this.#list !== lists.robots) return false;
-    const at = this.#rows.findIndex(({ inputs }) => inputs[2] === target);
+    const at = this.#rows.findIndex(({ inputs }) => inputs[reading] === target);
     return at >= 0 && Boolean(this.#rows[at + (shiftKey ? -1 : 1)]);
   }
 
   // From an empty reading.
   #tabsToOthers({ target, key, shiftKey }) {
     const leaves = key === "Tab" && !shiftKey && this.#list === lists.robots && target.value === "";
-    return leaves && !this.weighed.others.hidden && this.#rows.some(({ inputs }) => inputs[2] === target);
+    return leaves && !this.weighed.others.hidden && this.#rows.some(({ inputs }) => inputs[reading] === target);
   }
 
   #go(vertex, column = 0) {

@@ -229,9 +229,12 @@ struct Settings {
   std::vector<EdgePart> no_go;  // no robot may touch these parts; at most most_no_go, in any order
   std::vector<Cargo> cargo;     // at most max_cargo items
   Points supports;              // for Method::given, 1 .. most_supports (supports.h)
-  std::optional<double> snap;   // supports within this distance of the outline stand at the edge,
-                                // 0 .. max_length; empty means 1e-4 L
-  Weighed weighed;              // for Method::given
+  // For Method::given, what people call each support: at most max_name_characters of UTF-8, no control
+  // characters; "" for one without a name. The list may be empty.
+  std::vector<std::string> support_names;
+  std::optional<double> snap;  // supports within this distance of the outline stand at the edge,
+                               // 0 .. max_length; empty means 1e-4 L
+  Weighed weighed;             // for Method::given
   bool operator==(const Settings&) const = default;
 };
 

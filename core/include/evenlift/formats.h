@@ -31,4 +31,8 @@ std::string write_thesis(const Document& document);
 std::string write_wkt(const Document& document);
 std::string write_geojson(const Document& document);
 
+// In robot poses as YAML (output/poses.h), the words before the points where a robot with a size lifts
+// and touches the object, by which import.h reads them back.
+inline constexpr std::string_view poses_lift = "lifts at", poses_touch = "touches at";
+
 }  // namespace evenlift

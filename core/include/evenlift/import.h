@@ -176,9 +176,12 @@ std::size_t count_parts(const Import& import);
 // otherwise it is empty.
 struct SupportFile {
   Points places;
-  // Where the robots touch the boundary. If the text is JSON, there is one contact for each place:
-  // the place itself if the text gives no contact. For other texts, the list is empty.
+  // Where the robots touch the boundary, if the text has any contacts: one for each place, the place
+  // itself where the text gives none.
   Points contacts;
+  std::vector<std::string> names;  // of each robot, "" for none; or empty
+  std::vector<std::size_t> lines;  // where each robot stands in the text, counted from 1
+  std::vector<std::string> notes;  // which columns of a table were left out, in sentences
   std::vector<std::optional<double>> capacities;
   std::vector<double> readings;  // of each robot, if a table has a column of them (weighing.h)
   std::optional<InputError> wrong_reading;  // why a cell of that column is none
@@ -187,11 +190,11 @@ struct SupportFile {
   LengthUnit unit = LengthUnit::none;  // as a table or JSON states it; metres for YAML (ROS 2)
 };
 
-// Reads the places of robots. The text is a table whose first line names the columns `x`, `y` and
-// perhaps `capacity` (also "Cap.", "SWL", "WLL" or "max load") and `reading` (also "load", "weight"
-// or "kg"), each perhaps with its unit as in "capacity (lb)", the JSON of a result (robots[].at)
-// or of robot poses, an array [[x, y], ...], or robot poses as YAML. The limits are max_text_bytes
-// and most_supports. O(bytes).
+// Reads the places of robots. The text is a table whose first line names the columns of x and y, and
+// perhaps those of a name ("jack"), a capacity ("SWL", "Tragkraft", "max load") and a reading ("load",
+// "kg"), each perhaps with its unit as in "capacity (lb)" or "x (ft)"; the JSON of a result
+// (robots[].at) or of robot poses, an array [[x, y], ...], or robot poses as YAML. The limits are
+// max_text_bytes and most_supports. O(bytes).
 Result<SupportFile> read_support_file(std::string_view text);
 
 // Removes the holes and returns the note about them, or an empty text if there are none.

@@ -1,4 +1,4 @@
-// Writes and reads numbers as text.
+// Writes and reads numbers as text, and cells of tables.
 #pragma once
 
 #include <cstdint>
@@ -24,5 +24,8 @@ std::optional<double> read_number(std::string_view text);
 // Returns the value of a text that is a whole number of at most 2^64 - 1, in digits only. Returns
 // nothing otherwise. O(bytes).
 std::optional<std::uint64_t> read_whole(std::string_view text);
+
+// A text as a cell in CSV (RFC 4180). An apostrophe keeps a spreadsheet from computing it. O(bytes).
+std::string csv_cell(std::string text);
 
 }  // namespace evenlift

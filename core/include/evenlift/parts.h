@@ -93,9 +93,6 @@ std::vector<std::size_t> order_of_rows(PartOrder order, const std::vector<Import
                                        const std::vector<Part>& parts,
                                        const std::vector<PartResult>& results);
 
-// A text as a cell in CSV (RFC 4180). An apostrophe keeps a spreadsheet from computing it.
-std::string csv_cell(std::string text);
-
 // The rows as CSV, with a heading. Numbers are those of JSON; what is unknown is an empty cell. With
 // conditions, a column says whether they are kept. O(output).
 std::string parts_csv(const std::vector<std::size_t>& rows, const std::vector<Part>& parts,

@@ -23,6 +23,7 @@ struct PlacedRobot {
   bool beneath = false;      // whether it is beneath the object and has no contact (supports.h);
                              // if so, `contact` and `stand` are the lifting point
   std::uint32_t number = 1;  // by which people know it (Placement::number_of())
+  std::string name;          // of a given robot, if it has one
   std::uint32_t team = 0;
   double load = 0;  // as planned
   // The direction of the inward normal at the contact, in degrees in (-180, 180]. At a vertex it is

@@ -47,6 +47,7 @@ enum class Setting : std::uint8_t {
   supports,
   snap,
   support_capacities,
+  support_names,
   cargo,
   com_height,
   slope,

@@ -30,6 +30,11 @@ std::string_view translated(std::string_view english);
 // place, which is one character of ASCII. O(bytes).
 std::string as_read(std::string number);
 
+// The y of a place as texts write it: that of evenlift's coordinates, or, once y points down in texts, the
+// negative of it, as in the user's file. JSON, links and settings are never affected. Not thread-safe. O(1).
+void write_y_down();
+double written_y(double y);
+
 // While one exists, translated() returns each text itself, for texts that users typed: a weight
 // that is named "area" keeps its name in every language. Not thread-safe.
 class AsTyped {

@@ -271,6 +271,7 @@ DocumentReader::Problem DocumentReader::take_value(const SettingRow& row, Index 
   if (is_array && setting == Setting::com) return take_centre(at, document);
   if (is_array && setting == Setting::cargo) return take_cargo(at, document);
   if (is_array && setting == Setting::supports) return take_supports(at, document);
+  if (is_array && setting == Setting::support_names) return take_names(at, document);
   const bool is_text = tree_.kind(at) == Kind::string;
   if (!is_text && setting == Setting::cargo)
     return error(
@@ -280,7 +281,7 @@ DocumentReader::Problem DocumentReader::take_value(const SettingRow& row, Index 
   if (!is_text && setting == Setting::supports)
     return error(
         at,
-        R"(the supports must be an array of points [x, y], or of objects like {"at": [x, y], "capacity": K})",
+        R"(the supports must be an array of points [x, y], or of objects like {"at": [x, y], "capacity": K, "name": "..."})",
         ErrorCode::bad_setting);
   if (is_object && setting == Setting::robot) return take_robot(at, document);
   if (is_object && setting == Setting::overlays) return take_overlays(at, document);
@@ -364,7 +365,7 @@ Result<Cargo> DocumentReader::cargo_item(Index item) {
               named ? std::string(tree_.text(*name)) : std::string()};
   if (const char* fault = fault_of_cargo_weight(cargo.weight))
     return error(*weight, fault, ErrorCode::bad_setting);
-  if (const char* fault = fault_of_cargo_name(cargo.name))
+  if (const char* fault = fault_of_name(cargo.name))
     return error(*name, fault, ErrorCode::bad_setting);
   return cargo;
 }
@@ -383,26 +384,52 @@ DocumentReader::Problem DocumentReader::take_cargo(Index array, Document& docume
   return std::nullopt;
 }
 
-// [x, y] or {"at": [x, y], "capacity": K}, as text: "x,y@K".
+// A name, or null for none, as it stands in a list (setting_values.h).
+Result<std::string> DocumentReader::name_item(Index item, const char* wrong) const {
+  const bool is_missing = tree_.kind(item) == Kind::null;
+  if (!is_missing && tree_.kind(item) != Kind::string)
+    return error(item, wrong, ErrorCode::bad_setting);
+  const std::string_view name = is_missing ? std::string_view() : tree_.text(item);
+  if (const char* fault = fault_of_name(name)) return error(item, fault, ErrorCode::bad_setting);
+  return name_text(name);
+}
+
+DocumentReader::Problem DocumentReader::take_names(Index array, Document& document) const {
+  std::string text;
+  for (Index i = tree_.first(array); i != tree_.end(array); i = tree_.next(i)) {
+    const Result<std::string> name = name_item(i, requirement(Setting::support_names).data());
+    if (!name) return name.error();
+    text += (text.empty() ? "" : " ") + *name;
+  }
+  return take_setting(Setting::support_names, array, text.empty() ? "none" : text, document);
+}
+
+// [x, y] or {"at": [x, y], "capacity": K, "name": "north"}, as text: "x,y@K:north".
 Result<std::string> DocumentReader::support(Index item) {
   const bool is_object = tree_.kind(item) == Kind::object;
   if (is_object)
     if (auto wrong = only(item, {"at", "capacity", "name"}, "a support")) return *std::move(wrong);
   const auto at = is_object ? tree_.member(item, "at") : item;
   if (!at)
-    return error(item, R"(a support must be like [x, y] or {"at": [x, y], "capacity": K})",
+    return error(item,
+                 R"(a support must be like [x, y] or {"at": [x, y], "capacity": K, "name": "..."})",
                  ErrorCode::bad_setting);
   if (const Result<Vec2> place = point(*at); !place) return place.error();
   const Index x = tree_.first(*at);
   std::string text = digits(x) + "," + digits(tree_.next(x));
   if (!is_object) return text;
-  if (tree_.member(item, "name")) tell("names of supports are left out");
   const auto capacity = tree_.member(item, "capacity");
-  if (!capacity || tree_.kind(*capacity) == Kind::null) return text;
-  if (tree_.kind(*capacity) != Kind::number ||
-      !is_in_range(Setting::capacity, tree_.number(*capacity)))
-    return error(*capacity, requirement(Setting::capacity), ErrorCode::bad_setting);
-  return text + "@" + digits(*capacity);
+  if (capacity && tree_.kind(*capacity) != Kind::null) {
+    if (tree_.kind(*capacity) != Kind::number ||
+        !is_in_range(Setting::capacity, tree_.number(*capacity)))
+      return error(*capacity, requirement(Setting::capacity), ErrorCode::bad_setting);
+    text += "@" + digits(*capacity);
+  }
+  const auto named = tree_.member(item, "name");
+  if (!named) return text;
+  const Result<std::string> name = name_item(*named, "the name of a support must be a text");
+  if (!name) return name.error();
+  return text + ":" + *name;
 }
 
 DocumentReader::Problem DocumentReader::take_supports(Index array, Document& document) {

@@ -54,12 +54,14 @@ class DocumentReader {
   Problem take_centre(Index at, Document& document);
   Problem take_moved(Index at, Document& document) const;
   Problem take_cargo(Index array, Document& document);
+  Problem take_names(Index array, Document& document) const;
   Problem take_supports(Index array, Document& document);
   Problem take_robot(Index object, Document& document) const;
   Problem take_overlays(Index object, Document& document) const;
 
   Result<Vec2> point(Index at);
   Result<Cargo> cargo_item(Index at);
+  Result<std::string> name_item(Index item, const char* wrong) const;
   Result<std::string> support(Index at);
   Problem only(Index object, std::initializer_list<std::string_view> members, const char* of) const;
   std::optional<std::string> value_text(Index at) const;

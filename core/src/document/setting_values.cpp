@@ -127,6 +127,18 @@ bool take(std::string_view text, const SettingRange&, CargoList& cargo) {
   return read_cargo(text, cargo);
 }
 
+bool take(std::string_view text, const SettingRange&, std::vector<std::string>& names) {
+  return read_names(text, names);
+}
+std::string text_of(const std::vector<std::string>& names, const SettingRange&) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name_text(name);
+  return text.empty() ? "none" : text;
+}
+bool is_within(const std::vector<std::string>& names, const SettingRange&) {
+  return are_names(names);
+}
+
 // With spaces or commas between them.
 bool take(std::string_view text, const SettingRange& range, Readings& readings) {
   Readings read;
@@ -258,22 +270,99 @@ bool read_acceleration(std::string_view text, const SettingRange& range, double&
 
 namespace {
 
+// A name as it is, or between quotes with each of its quotes doubled.
+std::optional<std::string> read_name(std::string_view text) {
+  if (text.empty()) return std::nullopt;
+  if (text.find('"') == std::string_view::npos) return std::string(text);
+  if (text.size() < 2 || text.front() != '"' || text.back() != '"') return std::nullopt;
+  std::string name;
+  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+    if (text[i] == '"' && (++i + 1 == text.size() || text[i] != '"')) return std::nullopt;
+    name += text[i];
+  }
+  return name;
+}
+
+// Of ASCII, or U+0080 to U+009F.
+bool is_control(std::string_view character) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+  if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7f;
+  return byte(0) == 0xc2 && byte(1) < 0xa0;
+}
+
+// The name after a colon, at `from`; no name if the text ends there.
+std::optional<std::string> name_after(std::string_view text, std::size_t from) {
+  if (from >= text.size()) return std::string();
+  const auto name = read_name(text.substr(from + 1));
+  return name && !fault_of_name(*name) ? name : std::nullopt;
+}
+
+}  // namespace
+
+std::string name_text(std::string_view name) {
+  const bool is_plain =
+      !name.empty() && name != "none" && name.find_first_of(" \"") == std::string_view::npos;
+  if (is_plain) return std::string(name);
+  std::string text = "\"";
+  for (const char c : name) text += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return text + '"';
+}
+
+const char* fault_of_name(std::string_view name) {
+  static_assert(max_name_characters == 60, "the message names the number");
+  for (std::size_t characters = 0; !name.empty(); ++characters) {
+    const std::size_t length = utf8_length(name);
+    if (length == 0) return "a name must be valid UTF-8";
+    if (is_control(name.substr(0, length))) return "a name must have no control characters";
+    if (characters == max_name_characters) return "a name must have at most 60 characters";
+    name.remove_prefix(length);
+  }
+  return nullptr;
+}
+
+bool read_names(std::string_view text, std::vector<std::string>& names) {
+  std::vector<std::string> read;
+  const bool good = text == "none" || for_each_item(text, [&](std::string_view item) {
+                      const auto name = read_name(item);
+                      if (!name || fault_of_name(*name) || read.size() == most_supports)
+                        return false;
+                      read.push_back(*name);
+                      return true;
+                    });
+  if (!good || (read.empty() && text != "none")) return false;
+  const bool has_any =
+      std::any_of(read.begin(), read.end(), [](const auto& name) { return !name.empty(); });
+  names = has_any ? std::move(read) : std::vector<std::string>();
+  return true;
+}
+
+bool are_names(const std::vector<std::string>& names) {
+  return names.size() <= most_supports &&
+         std::none_of(names.begin(), names.end(),
+                      [](const std::string& name) { return fault_of_name(name); });
+}
+
+namespace {
+
 struct Given {
   Vec2 at;
   std::optional<double> capacity;
+  std::string name;
 };
 
+// X,Y, X,Y@K, X,Y:NAME or X,Y@K:NAME.
 std::optional<Given> read_support(std::string_view word) {
-  const std::size_t comma = word.find(','), sign = word.find('@');
-  if (comma == std::string_view::npos) return std::nullopt;
-  const std::size_t end = std::min(sign, word.size());
-  if (comma > end) return std::nullopt;
-  const auto x = read_number(word.substr(0, comma)),
-             y = read_number(word.substr(comma + 1, end - comma - 1));
-  if (!x || !y) return std::nullopt;
-  Given given{Vec2(*x, *y), std::nullopt};
-  if (sign == std::string_view::npos) return given;
-  given.capacity = read_number(word.substr(sign + 1));
+  const std::size_t colon = std::min(word.find(':'), word.size());
+  const std::string_view place = word.substr(0, colon);
+  const std::size_t comma = place.find(','), sign = std::min(place.find('@'), colon);
+  if (comma > sign) return std::nullopt;
+  const auto x = read_number(place.substr(0, comma)),
+             y = read_number(place.substr(comma + 1, sign - comma - 1));
+  auto name = name_after(word, colon);
+  if (!x || !y || !name) return std::nullopt;
+  Given given{Vec2(*x, *y), std::nullopt, *std::move(name)};
+  if (sign == colon) return given;
+  given.capacity = read_number(place.substr(sign + 1));
   if (!given.capacity || !is_in_range(Setting::capacity, *given.capacity)) return std::nullopt;
   return given;
 }
@@ -283,17 +372,23 @@ std::optional<Given> read_support(std::string_view word) {
 bool read_supports(std::string_view text, Document& document) {
   Points supports;
   Capacities capacities;
+  std::vector<std::string> names;
+  bool has_names = false;
   const bool good = text == "none" || for_each_item(text, [&](std::string_view word) {
-                      const std::optional<Given> given = read_support(word);
+                      std::optional<Given> given = read_support(word);
                       if (!given || supports.size() == most_supports) return false;
                       supports.push_back(given->at);
                       capacities.push_back(given->capacity);
+                      has_names = has_names || !given->name.empty();
+                      names.push_back(std::move(given->name));
                       return true;
                     });
   if (!good || (supports.empty() && text != "none")) return false;
   if (!are_capacities(capacities)) capacities.clear();  // none is given
   document.settings.supports = std::move(supports);
   document.shown.support_capacities = std::move(capacities);
+  if (!has_names) names.clear();
+  document.settings.support_names = std::move(names);
   if (!document.settings.supports.empty()) document.settings.method = Method::given;
   return true;
 }
@@ -470,36 +565,9 @@ std::string no_go_text(const std::vector<EdgePart>& no_go) {
 
 namespace {
 
-// A name as it is, or between quotes with each of its quotes doubled.
-std::optional<std::string> read_name(std::string_view text) {
-  if (text.empty()) return std::nullopt;
-  if (text.find('"') == std::string_view::npos) return std::string(text);
-  if (text.size() < 2 || text.front() != '"' || text.back() != '"') return std::nullopt;
-  std::string name;
-  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
-    if (text[i] == '"' && (++i + 1 == text.size() || text[i] != '"')) return std::nullopt;
-    name += text[i];
-  }
-  return name;
-}
-
-std::string name_text(const std::string& name) {
-  if (name.find_first_of(" \"") == std::string::npos) return name;
-  std::string text = "\"";
-  for (const char c : name) text += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return text + '"';
-}
-
-// Of ASCII, or U+0080 to U+009F.
-bool is_control(std::string_view character) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
-  if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7f;
-  return byte(0) == 0xc2 && byte(1) < 0xa0;
-}
-
 bool is_item(const Cargo& item) {
   return is_finite(item.at) && max_norm(item.at) <= max_coordinate &&
-         !fault_of_cargo_weight(item.weight) && !fault_of_cargo_name(item.name);
+         !fault_of_cargo_weight(item.weight) && !fault_of_name(item.name);
 }
 
 std::optional<Cargo> read_item(std::string_view text) {
@@ -509,8 +577,7 @@ std::optional<Cargo> read_item(std::string_view text) {
   const auto x = read_number(text.substr(0, comma)),
              y = read_number(text.substr(comma + 1, colon - comma - 1)),
              weight = read_number(text.substr(colon + 1, end - colon - 1));
-  const std::optional<std::string> name =
-      end == text.size() ? std::string() : read_name(text.substr(end + 1));
+  const std::optional<std::string> name = name_after(text, end);
   if (!x || !y || !weight || !name) return std::nullopt;
   Cargo item{Vec2(*x, *y), *weight, *name};
   return is_item(item) ? std::optional(std::move(item)) : std::nullopt;
@@ -523,20 +590,6 @@ const char* fault_of_cargo_weight(double weight) {
   return weight >= min_weight && weight <= max_weight
              ? nullptr
              : "the weight of cargo must be a number greater than 0, from 1e-100 to 1e100";
-}
-
-const char* fault_of_cargo_name(std::string_view name) {
-  static_assert(max_name_characters == 60, "the message names the number");
-  for (std::size_t characters = 0; !name.empty(); ++characters) {
-    const std::size_t length = utf8_length(name);
-    if (length == 0) return "the name of cargo must be valid UTF-8";
-    if (is_control(name.substr(0, length)))
-      return "the name of cargo must have no control characters";
-    if (characters == max_name_characters)
-      return "the name of cargo must have at most 60 characters";
-    name.remove_prefix(length);
-  }
-  return nullptr;
 }
 
 bool read_cargo(std::string_view text, std::vector<Cargo>& cargo) {

@@ -137,6 +137,7 @@ bool take(std::string_view text, const SettingRange&, NoGo& no_go);
 bool take(std::string_view text, const SettingRange&, Points& supports);
 bool take(std::string_view text, const SettingRange&, Capacities& capacities);
 bool take(std::string_view text, const SettingRange&, CargoList& cargo);
+bool take(std::string_view text, const SettingRange&, std::vector<std::string>& names);
 std::string text_of(const std::optional<Vec2>& centre, const SettingRange&);
 std::string text_of(const Overlays& overlays, const SettingRange&);
 std::string text_of(const RobotSize& robot, const SettingRange&);
@@ -144,6 +145,7 @@ std::string text_of(const NoGo& no_go, const SettingRange&);
 std::string text_of(const Points& supports, const SettingRange&);
 std::string text_of(const Capacities& capacities, const SettingRange&);
 std::string text_of(const CargoList& cargo, const SettingRange&);
+std::string text_of(const std::vector<std::string>& names, const SettingRange&);
 bool is_within(const std::optional<Vec2>& centre, const SettingRange&);
 bool is_within(const Overlays& overlays, const SettingRange&);
 bool is_within(const RobotSize& robot, const SettingRange&);
@@ -151,6 +153,7 @@ bool is_within(const NoGo& no_go, const SettingRange&);
 bool is_within(const Points& supports, const SettingRange&);
 bool is_within(const Capacities& capacities, const SettingRange&);
 bool is_within(const CargoList& cargo, const SettingRange&);
+bool is_within(const std::vector<std::string>& names, const SettingRange&);
 
 // --- The kind of a value in words, such as "a number from 0 to 1"
 
@@ -253,6 +256,23 @@ bool is_robot_size(const RobotSize& robot);
 // Whether all parts and their number are in range. O(parts).
 bool is_no_go(const std::vector<EdgePart>& no_go);
 
+// --- Names of supports and cargo.
+
+// Reads "none" or a list (list_text.h) of names, such as north "south west" "", where "" is no name.
+// Returns whether the text is valid, and changes the names only if it is. O(bytes).
+bool read_names(std::string_view text, std::vector<std::string>& names);
+
+// A name as it stands in a list: between quotation marks if it has spaces or quotation marks, or is
+// empty or "none". O(bytes).
+std::string name_text(std::string_view name);
+
+// The reason why a name is refused; nullptr if it is valid. A name must be UTF-8 without control
+// characters and have at most max_name_characters. O(bytes).
+const char* fault_of_name(std::string_view name);
+
+// Whether there are at most most_supports names, each valid. O(bytes).
+bool are_names(const std::vector<std::string>& names);
+
 // --- Reads cargo from text and checks it. cargo_text() (settings.h) writes it.
 
 // Reads "none" or a list (list_text.h) of items x,y:weight or x,y:weight:name, such as
@@ -263,10 +283,8 @@ bool read_cargo(std::string_view text, std::vector<Cargo>& cargo);
 // The first item that is not valid cargo, as refused_item() (list_text.h) returns it. O(bytes).
 std::string_view refused_cargo(std::string_view text);
 
-// The reason why a weight or a name of cargo is refused; nullptr if it is valid. A name must be
-// UTF-8 without control characters and have at most max_name_characters. O(bytes).
+// The reason why a weight of cargo is refused; nullptr if it is valid. O(1).
 const char* fault_of_cargo_weight(double weight);
-const char* fault_of_cargo_name(std::string_view name);
 
 // Whether there are at most max_cargo items, each with coordinates of at most max_coordinate in
 // size, a valid weight and a valid name. O(bytes of names).

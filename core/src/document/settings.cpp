@@ -433,9 +433,11 @@ constexpr SettingRow rows[] = {
      .edit = "the robots",
      .counts_for = CountsFor::given,
      .rule = "must be 1 to 1000 points X,Y with spaces between them, such as 0,0 160,0 80,90, each "
-             "perhaps with its capacity as X,Y@K; or none",
-     .option = {OptionGroup::placement, "\"X,Y[@K] ...\"",
-                "robots that already stand, each perhaps with its capacity; or a file of them"},
+             "perhaps with its capacity as X,Y@K and a name of at most 60 characters as X,Y@K:NAME "
+             "or X,Y:NAME; or none",
+     .option =
+         {OptionGroup::placement, "\"X,Y[@K][:NAME] ...\"",
+          "robots that already stand, each perhaps with its capacity and name; or a file of them"},
      .record = 21,
      .in_document = Listed::if_changed,
      .in_result = Listed::if_changed,
@@ -472,6 +474,23 @@ constexpr SettingRow rows[] = {
      .in_result = Listed::if_changed,
      .plans = false,
      .access = of<&Shown::support_capacities>()},
+    {.setting = Setting::support_names,
+     .name = "support_names",
+     .subject = "the names of the supports",
+     .edit = "the names of the supports",
+     .counts_for = CountsFor::given,
+     .rule =
+         "must be a name of at most 60 characters for each support, with spaces between them, such "
+         "as north \"south west\"; or none",
+     .option =
+         {OptionGroup::none,
+          {},
+          "name of each support, as many as there are supports; it overrides those in supports"},
+     .record = 39,
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .plans = false,
+     .access = of<&Settings::support_names>()},
     {.setting = Setting::cargo,
      .name = "cargo",
      .subject = "the cargo",

@@ -100,7 +100,7 @@ std::optional<InputError> take_cargo(TextCursor& cursor, Settings& settings) {
     return cursor.expected("a space or the end of the line after the weight");
   const std::size_t name = cursor.offset();
   item.name = trimmed(cursor.take_rest_of_line());
-  if (const char* fault = fault_of_cargo_name(item.name))
+  if (const char* fault = fault_of_name(item.name))
     return cursor.error_at(name, ErrorCode::bad_setting, fault);
   settings.cargo.push_back(std::move(item));
   cursor.skip_white_space();

@@ -106,6 +106,7 @@ class ColumnReader {
   std::size_t rows_ = 0;
   std::optional<Line> count_line_;  // states the number of rows
   LengthUnit unit_ = LengthUnit::none;
+  bool is_in_feet_ = false;  // and unit_ is inches
   RingNotes notes_;
   Block block_;
   std::vector<Block> blocks_;
@@ -204,6 +205,7 @@ bool ColumnReader::take_names(const Line& heading, const Line& row, const Fields
   y_ = named_->y;
   chosen_ = true;
   unit_ = named_->unit;
+  is_in_feet_ = named_->is_in_feet;
   heading_size_ = best->size();
   if (rows_ > 0) return true;
   std::vector<std::size_t> others;
@@ -218,10 +220,10 @@ bool ColumnReader::take_names(const Line& heading, const Line& row, const Fields
     if (i != x_ && i != y_ && std::find(shapes_.begin(), shapes_.end(), i) == shapes_.end() &&
         !(*best)[i].empty() && !may_tell_shapes((*best)[i]))
       gathering_.note(
-          say(tells_capacity((*best)[i])
+          say(content_of((*best)[i]) == Column::capacity
                   ? "the column {name} was left out: if the rows are places of robots, "
                     "they are supports, not an outline"
-              : tells_size((*best)[i])
+              : content_of((*best)[i]) == Column::size
                   ? "the column {name} was left out: if the rows are holes, they are not "
                     "an outline; if robots stand there, they are supports"
                   : "the column {name} was left out",
@@ -233,7 +235,8 @@ bool ColumnReader::take_names(const Line& heading, const Line& row, const Fields
 // numbers, and is none of heights or amounts.
 bool ColumnReader::may_group(const NamedColumns& named, std::size_t column, const Fields& headings,
                              const Line& row) const {
-  return !tells_amounts(headings[column]) && column_of(headings[column]) == Column::other &&
+  return content_of(headings[column]) < Column::capacity &&
+         column_of(headings[column]) == Column::other &&
          std::find(named.heights.begin(), named.heights.end(), column) == named.heights.end() &&
          has_words_or_counts(rows_from(row), style_, column);
 }
@@ -505,6 +508,7 @@ std::optional<InputError> ColumnReader::check_count() const {
 
 void ColumnReader::add_notes() {
   if (unit_ != LengthUnit::none) gathering_.import.unit = in_full(unit_);
+  if (is_in_feet_) gathering_.note("the coordinates in feet are now in inches");
   if (count_line_) gathering_.note("the number before the rows is how many there are");
   notes_.are_degrees = named_ && named_->meaning == Column::longitude;
   if (notes_.are_degrees && named_->y < named_->x)
@@ -529,6 +533,8 @@ Result<Import> ColumnReader::read() {
   for (Block& block : blocks_) {
     Document document;
     document.vertices = std::move(block.points);
+    if (is_in_feet_)
+      for (Vec2& vertex : document.vertices) vertex = inches_of_a_foot * vertex;
     document.shown.units.length = unit_;
     notes_.drop_repeated(document.vertices);
     gathering_.add(std::move(document), block.name, "points");

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "document/setting_values.h"
+#include "evenlift/formats.h"
 #include "evenlift/import.h"
 #include "evenlift/numbers.h"
 #include "evenlift/settings.h"
@@ -60,15 +62,15 @@ class Course {
   bool counts_ = true, rises_ = true, same_ = true, whole_ = true, pointed_ = true;
 };
 
-struct Candidate {
+struct NumberColumn {
   std::size_t column = 0;
   Course course;
   const char* reason = nullptr;  // why it is not a coordinate: a clause with a place for its label
 };
 
-using Candidates = std::vector<Candidate>;
+using NumberColumns = std::vector<NumberColumn>;
 
-std::vector<std::size_t> left_of(const Candidates& all) {
+std::vector<std::size_t> left_of(const NumberColumns& all) {
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (!all[i].reason) left.push_back(i);
@@ -76,9 +78,9 @@ std::vector<std::size_t> left_of(const Candidates& all) {
 }
 
 template <class Test>
-void drop(Candidates& all, const char* reason, const Test& test) {
+void drop(NumberColumns& all, const char* reason, const Test& test) {
   std::size_t left = left_of(all).size();
-  for (Candidate& each : all) {
+  for (NumberColumn& each : all) {
     if (left <= 2) return;
     if (each.reason || !test(each)) continue;
     each.reason = reason;
@@ -86,11 +88,11 @@ void drop(Candidates& all, const char* reason, const Test& test) {
   }
 }
 
-void follow(Candidates& all, std::string_view rows, const CellStyle& style) {
+void follow(NumberColumns& all, std::string_view rows, const CellStyle& style) {
   Lines lines(rows);
   for (auto line = lines.next(); line; line = lines.next()) {
     const Fields cells = split_cells(line->text, style.separator);
-    for (Candidate& each : all) {
+    for (NumberColumn& each : all) {
       if (each.column >= cells.size()) continue;
       const auto value = cell_number(cells[each.column], style.decimal_comma);
       if (value) each.course.add(cells[each.column], *value, line->after_blank);
@@ -98,9 +100,9 @@ void follow(Candidates& all, std::string_view rows, const CellStyle& style) {
   }
 }
 
-void drop_by_headings(Candidates& all, const Fields& headings) {
+void drop_by_headings(NumberColumns& all, const Fields& headings) {
   const auto means = [&](Column column) {
-    return [&headings, column](const Candidate& each) {
+    return [&headings, column](const NumberColumn& each) {
       return each.column < headings.size() && column_of(headings[each.column]) == column;
     };
   };
@@ -109,12 +111,12 @@ void drop_by_headings(Candidates& all, const Fields& headings) {
 }
 
 // Drops a first column of rising whole numbers if the others have decimals.
-void drop_gapped_numbers(Candidates& all) {
+void drop_gapped_numbers(NumberColumns& all) {
   const auto left = left_of(all);
   const bool others_have_decimals = std::all_of(
       left.begin() + 1, left.end(), [&](std::size_t i) { return all[i].course.has_decimals(); });
   if (others_have_decimals)
-    drop(all, "{column} numbers the points", [&](const Candidate& each) {
+    drop(all, "{column} numbers the points", [&](const NumberColumn& each) {
       return each.column == all[left[0]].column && each.course.rises_in_whole_numbers();
     });
 }
@@ -126,10 +128,10 @@ std::string label(std::size_t column, const Fields& headings) {
   return say("column {number}", {column + 1});
 }
 
-std::string note_of(const Candidates& all, const Candidate& x, const Candidate& y,
+std::string note_of(const NumberColumns& all, const NumberColumn& x, const NumberColumn& y,
                     const Fields& headings) {
   std::string reasons;
-  for (const Candidate& each : all) {
+  for (const NumberColumn& each : all) {
     if (!each.reason || each.column >= y.column) continue;
     const std::string reason = say(each.reason, {label(each.column, headings)});
     reasons = reasons.empty() ? reason : say("{first} and {last}", {reasons, reason});
@@ -251,21 +253,21 @@ std::vector<std::size_t> columns_of_shapes(std::string_view rows, const CellStyl
 
 ChosenColumns choose_columns(std::string_view rows, const CellStyle& style, const Fields& first_row,
                              const Fields& headings) {
-  Candidates all;
+  NumberColumns all;
   for (const std::size_t column : number_columns(first_row, style)) all.push_back({column, {}, {}});
   if (all.size() == 2) return {all[0].column, all[1].column, {}, ""};
   follow(all, rows, style);
   const auto shapes = columns_of_shapes(rows, style, {all[0].column});
   drop(all, "{column} numbers the shapes",
-       [&](const Candidate& each) { return !shapes.empty() && each.column == shapes[0]; });
+       [&](const NumberColumn& each) { return !shapes.empty() && each.column == shapes[0]; });
   drop_by_headings(all, headings);
   drop(all, "{column} is the same in every line",
-       [](const Candidate& each) { return each.course.stays_the_same(); });
+       [](const NumberColumn& each) { return each.course.stays_the_same(); });
   drop(all, "{column} numbers the points",
-       [](const Candidate& each) { return each.course.counts(); });
+       [](const NumberColumn& each) { return each.course.counts(); });
   drop_gapped_numbers(all);
   const auto left = left_of(all);
-  const Candidate &x = all[left[0]], &y = all[left[1]];
+  const NumberColumn &x = all[left[0]], &y = all[left[1]];
   return {x.column, y.column, shapes, note_of(all, x, y, headings)};
 }
 
@@ -289,13 +291,25 @@ class Gathered {
  public:
   explicit Gathered(std::string_view text) : text_(text) {}
 
-  Problem add(const Vec2& at, const std::optional<double>& capacity, std::size_t offset) {
+  struct Support {
+    Vec2 at;
+    std::optional<Vec2> contact;
+    std::optional<double> capacity;
+    std::string_view name;
+  };
+
+  Problem add(const Support& support, std::size_t offset) {
     if (supports_.places.size() == most_supports)
       return error(offset, "there are more than 1000 robots");
-    if (capacity && !is_in_range(Setting::capacity, *capacity))
+    if (support.capacity && !is_in_range(Setting::capacity, *support.capacity))
       return error(offset, requirement(Setting::capacity));
-    supports_.places.push_back(at);
-    supports_.capacities.push_back(capacity);
+    if (const char* fault = fault_of_name(support.name)) return error(offset, fault);
+    supports_.places.push_back(support.at);
+    supports_.contacts.push_back(support.contact.value_or(support.at));
+    has_contacts_ = has_contacts_ || support.contact;
+    supports_.capacities.push_back(support.capacity);
+    supports_.names.emplace_back(support.name);
+    supports_.lines.push_back(line_at(offset));
     return std::nullopt;
   }
 
@@ -308,7 +322,7 @@ class Gathered {
     supports_.reading_unit = of_readings;
   }
 
-  void add_contact(const Vec2& contact) { supports_.contacts.push_back(contact); }
+  void note(std::string sentence) { supports_.notes.push_back(std::move(sentence)); }
 
   InputError error(std::size_t offset, std::string message) const {
     return text_error(ErrorCode::bad_syntax, std::move(message), text_, offset);
@@ -319,13 +333,36 @@ class Gathered {
     const auto& all = supports_.capacities;
     if (std::none_of(all.begin(), all.end(), [](const auto& each) { return each.has_value(); }))
       supports_.capacities.clear();
+    const auto& names = supports_.names;
+    if (std::all_of(names.begin(), names.end(), [](const auto& each) { return each.empty(); }) ||
+        are_counts(names))
+      supports_.names.clear();
+    if (!has_contacts_) supports_.contacts.clear();
     supports_.unit = unit;
     return supports_;
   }
 
  private:
+  // Robots come in the order of the text.
+  std::size_t line_at(std::size_t offset) {
+    line_ += static_cast<std::size_t>(
+        std::count(text_.begin() + static_cast<std::ptrdiff_t>(counted_),
+                   text_.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
+    counted_ = offset;
+    return line_;
+  }
+
+  // 1, 2, 3 ...
+  static bool are_counts(const std::vector<std::string>& names) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (names[i] != std::to_string(i + 1)) return false;
+    return true;
+  }
+
   std::string_view text_;
   SupportFile supports_;
+  bool has_contacts_ = false;
+  std::size_t line_ = 1, counted_ = 0;
 };
 
 // --- JSON: a result (robots[].at), poses (robots[].x, y) or an array of points
@@ -354,8 +391,8 @@ class JsonSupports {
     for (Index i = tree_.first(*list); i != tree_.end(*list); i = tree_.next(i)) {
       const std::optional<Vec2> at = point(i);
       if (!at) return gathered_.error(tree_.offset(i), "expected a point [x, y] of two numbers");
-      gathered_.add_contact(contact(i).value_or(*at));
-      if (auto wrong = gathered_.add(*at, capacity(i), tree_.offset(i))) return *wrong;
+      if (auto wrong = gathered_.add({*at, contact(i), capacity(i), name(i)}, tree_.offset(i)))
+        return *wrong;
     }
     return gathered_.finish(unit);
   }
@@ -393,6 +430,12 @@ class JsonSupports {
     return tree_.kind(at) == Kind::object ? number(tree_.member(at, "capacity")) : std::nullopt;
   }
 
+  std::string_view name(Index at) const {
+    const auto named =
+        tree_.kind(at) == Kind::object ? tree_.member(at, "name") : std::optional<Index>();
+    return named && tree_.kind(*named) == Kind::string ? tree_.text(*named) : std::string_view();
+  }
+
   const JsonTree& tree_;
   Gathered gathered_;
 };
@@ -406,152 +449,220 @@ std::optional<double> number_after(std::string_view line, std::string_view name)
   return read_number(trimmed(line.substr(0, line.find_first_of(",}"))));
 }
 
+// The point {x: 0.5, y: 1.0} after the word.
+std::optional<Vec2> point_after(std::string_view line, std::string_view word) {
+  const std::size_t at = line.find(word);
+  if (at == std::string_view::npos) return std::nullopt;
+  line.remove_prefix(at + word.size());
+  const auto x = number_after(line, "x:"), y = number_after(line, "y:");
+  return x && y ? std::optional(Vec2(*x, *y)) : std::nullopt;
+}
+
+// A comment before a pose tells where a robot with a body lifts and touches (poses.h).
 Result<SupportFile> read_poses(std::string_view text) {
   Gathered gathered(text);
-  Lines lines(text);
+  Lines lines(text, Comments::returned);
+  std::optional<Vec2> lifts, touches;
   for (auto line = lines.next(); line; line = lines.next()) {
+    if (line->text.find(poses_lift) != std::string_view::npos) {
+      lifts = point_after(line->text, poses_lift);
+      touches = point_after(line->text, poses_touch);
+    }
     if (line->text.find("position:") == std::string_view::npos) continue;
     const auto offset = static_cast<std::size_t>(line->text.data() - text.data());
-    const auto x = number_after(line->text, "x:"), y = number_after(line->text, "y:");
-    if (!x || !y) return gathered.error(offset, "expected a position {x: 0.5, y: 1.0, z: 0.0}");
-    if (auto wrong = gathered.add(Vec2(*x, *y), std::nullopt, offset)) return *wrong;
+    const auto at = point_after(line->text, "position:");
+    if (!at) return gathered.error(offset, "expected a position {x: 0.5, y: 1.0, z: 0.0}");
+    if (auto wrong = gathered.add({lifts.value_or(*at), touches, std::nullopt, {}}, offset))
+      return *wrong;
+    lifts = touches = std::nullopt;
   }
   return gathered.finish(LengthUnit::m);
 }
 
 // --- A table with a heading
 
+using Cell = std::optional<std::size_t>;  // the column's number
+
 struct Columns {
-  std::optional<std::size_t> x, y, capacity, unit, reading, weight_unit;
+  Cell x, y, contact_x, contact_y, name, capacity, unit, reading, weight_unit;
+  bool is_in_feet = false;
 };
 
-std::string letters_of(std::string_view heading) {
-  std::string letters;
-  for (const char c : heading.substr(0, heading.find_first_of("([")))
-    if (is_letter(c)) letters += lower_case(c);
-  return letters;
+// Evenlift's own tables of poses have columns that say nothing more here.
+bool is_of_poses(std::string_view heading) {
+  static constexpr std::string_view own[] = {"robot", "team", "heading_deg", "x", "y"};
+  return std::any_of(std::begin(own), std::end(own),
+                     [&](std::string_view each) { return same_word(heading, each); });
 }
 
-// The kilograms in the unit that a heading states in brackets, or as its only word: "load (kN)".
-// Nothing without a unit; 0 for an unknown one.
-std::optional<double> weight_unit_of(std::string_view heading) {
-  const std::size_t open = heading.find_first_of("([");
-  std::string_view unit = open == std::string_view::npos ? heading : heading.substr(open + 1);
-  if (open == std::string_view::npos) unit = unit.substr(unit.rfind(' ') + 1);  // the last word
-  unit = trimmed(unit.substr(0, unit.find_first_of(")]")));
-  const double newton = in_kilograms(1, WeightUnit::N), pound = in_kilograms(1, WeightUnit::lb);
-  const std::pair<std::string_view, double> known[] = {
-      {"kg", 1},     {"kgf", 1},           {"g", 0.001},         {"t", 1000},
-      {"to", 1000},  {"lb", pound},        {"lbs", pound},       {"lbf", pound},
-      {"n", newton}, {"dan", 10 * newton}, {"kn", 1000 * newton}};
-  for (const auto& [name, kilograms] : known)
-    if (same_word(unit, name)) return kilograms;
-  return open == std::string_view::npos ? std::nullopt : std::optional(0.0);
-}
-
-// "capacity", "Rated capacity (kg)", "Cap.", "SWL", "max. load".
-bool names_capacity(std::string_view heading) {
-  const std::string letters = letters_of(heading);
-  return letters.find("capacity") != std::string::npos || letters == "cap" || letters == "swl" ||
-         letters == "wll" || letters == "maxload" || letters == "maximumload";
-}
-
-// "reading", "Load (kg)", "weight", "kg".
-bool names_reading(std::string_view heading) {
-  static constexpr std::string_view readings[] = {
-      "reading", "readings", "reads", "scale",   "load",     "loads", "weight",  "kg",
-      "lb",      "n",        "kn",    "anzeige", "ablesung", "last",  "gewicht", "messwert",
-      "lecture", "charge",   "poids", "lectura", "carga",    "peso"};
-  const std::size_t space = heading.find(' ');
-  const bool has_unit = space != std::string_view::npos &&
-                        weight_unit_of(heading.substr(space + 1)).value_or(0) > 0;  // "reading kN"
-  const std::string letters = letters_of(has_unit ? heading.substr(0, space) : heading);
-  return std::find(std::begin(readings), std::end(readings), letters) != std::end(readings);
-}
-
-Columns columns_of(const Fields& heading) {
+// Of several columns of a kind, the first counts.
+Columns columns_of(const Fields& headings, Gathered& gathered) {
   Columns columns;
-  for (std::size_t i = heading.size(); i-- > 0;) {
-    if (names_column(heading[i], 'x')) columns.x = i;
-    if (names_column(heading[i], 'y')) columns.y = i;
-    if (names_capacity(heading[i])) columns.capacity = i;
-    if (same_word(heading[i], "unit")) columns.unit = i;
-    if (names_reading(heading[i])) columns.reading = i;
-    if (same_word(heading[i], "weight_unit")) columns.weight_unit = i;
+  for (std::size_t i = headings.size(); i-- > 0;) {
+    if (names_column(headings[i], 'x')) columns.x = i;
+    if (names_column(headings[i], 'y')) columns.y = i;
   }
   // "Easting" and "Northing", "Position X" and the like, as for outlines.
-  if (const auto named = named_columns(heading); named && !(columns.x && columns.y)) {
+  const auto named = named_columns(headings);
+  if (named && !(columns.x && columns.y)) {
     columns.x = named->x;
     columns.y = named->y;
+  }
+  columns.is_in_feet = named && named->is_in_feet;
+  std::pair<std::string_view, Cell*> own[] = {{"unit", &columns.unit},
+                                              {"weight_unit", &columns.weight_unit},
+                                              {"contact_x", &columns.contact_x},
+                                              {"contact_y", &columns.contact_y},
+                                              {"at_x", &columns.x},
+                                              {"at_y", &columns.y}};
+  std::vector<char> used(headings.size());
+  Cell support;
+  for (std::size_t i = 0; i < headings.size(); ++i) {
+    const auto found = std::find_if(std::begin(own), std::end(own), [&](const auto& each) {
+      return same_word(headings[i], each.first);
+    });
+    Cell* cell = found == std::end(own) ? nullptr : found->second;
+    const Column content =
+        cell || i == columns.x || i == columns.y ? Column::other : content_of(headings[i]);
+    if (content == Column::capacity) cell = &columns.capacity;
+    if (content == Column::load) cell = &columns.reading;
+    if (content == Column::name) cell = &columns.name;
+    if (content == Column::support) cell = &support;
+    const bool is_own = found != std::end(own);
+    if (cell && (is_own || !*cell)) {
+      *cell = i;
+      used[i] = 1;
+    }
+  }
+  if (columns.name && support) used[*support] = column_of(headings[*support]) == Column::number;
+  if (!columns.name) columns.name = support;
+  for (std::size_t i = 0; i < headings.size(); ++i) {
+    const bool tells = used[i] != 0 || i == columns.x || i == columns.y || headings[i].empty() ||
+                       is_of_poses(headings[i]) || column_of(headings[i]) == Column::number;
+    if (!tells)
+      gathered.note(say("the column {name} was left out", {in_quotes(clean_name(headings[i]))}));
   }
   return columns;
 }
 
-Result<SupportFile> read_table(std::string_view text) {
-  Gathered gathered(text);
-  Lines lines(text);
-  const auto heading = lines.next();
-  const char separator = heading ? separator_of(heading->text) : ' ';
-  const bool decimal_comma = separator != ',' && separator != ' ';
-  const Fields headings = heading ? split_cells(heading->text, separator) : Fields{};
-  const Columns columns = columns_of(headings);
-  if (!columns.x || !columns.y)
-    return gathered.error(0, "the first line must name the columns x and y, and perhaps capacity");
-  LengthUnit unit = unit_of_column(headings[*columns.x]);
-  if (unit != unit_of_column(headings[*columns.y]))
-    return gathered.error(0, "x and y are in different units");
-  const auto unit_in = [&](const std::optional<std::size_t>& column) {
-    return column ? weight_unit_of(headings[*column]) : std::nullopt;
-  };
-  const auto of_capacities = unit_in(columns.capacity), of_readings = unit_in(columns.reading);
-  if (of_capacities == 0.0)
-    return gathered.error(0,
-                          "the unit of the capacities is not known; it may be kg, t, N, kN or lb");
-  if (of_readings == 0.0)
-    gathered.refuse_readings(0,
-                             "the unit of the readings is not known; it may be kg, t, N, kN or lb");
-  auto unit_of_weights = of_capacities, unit_of_readings = of_readings;
-  for (auto line = lines.next(); line; line = lines.next()) {
-    const Fields cells = split_cells(line->text, separator);
-    const auto offset = static_cast<std::size_t>(line->text.data() - text.data());
-    if (cells.size() > headings.size())
-      return gathered.error(offset,
-                            "the line has more cells than the first line; decimals with a "
-                            "comma need a semicolon between the columns");
-    const auto value = [&](const std::optional<std::size_t>& column) -> std::optional<double> {
-      if (!column || *column >= cells.size()) return std::nullopt;
-      return cell_number(cells[*column], decimal_comma);
-    };
-    const auto x = value(columns.x), y = value(columns.y), capacity = value(columns.capacity);
-    if (!x || !y) return gathered.error(offset, "the line needs a number for x and for y");
-    const bool has_cell =
-        columns.capacity && *columns.capacity < cells.size() && !cells[*columns.capacity].empty();
-    if (has_cell && !capacity) return gathered.error(offset, "the capacity is not a number");
-    if (columns.weight_unit && *columns.weight_unit < cells.size()) {
-      // As in evenlift's own poses.
-      const auto own = weight_unit_of("(" + std::string(cells[*columns.weight_unit]) + ")");
-      if (own && *own > 0) {
-        if (!of_capacities) unit_of_weights = own;
-        if (!of_readings) unit_of_readings = own;
-      }
-    }
-    if (columns.unit && *columns.unit < cells.size()) {
-      // evenlift's own poses have this column; in other tables it may mean something else.
-      const LengthUnit own = unit_named(cells[*columns.unit]).value_or(LengthUnit::none);
-      if (own != LengthUnit::none && unit != LengthUnit::none && own != unit)
-        return gathered.error(offset, "the robots are in different units");
-      if (own != LengthUnit::none) unit = own;
-    }
-    if (auto wrong = gathered.add(Vec2(*x, *y), capacity, offset)) return *wrong;
-    if (const auto reading = value(columns.reading); reading && *reading >= 0)
-      gathered.add_reading(*reading);
-    else if (columns.reading)
-      gathered.refuse_readings(
-          offset, reading ? "the reading is negative" : "the line has no number for the reading");
+class SupportTable {
+ public:
+  explicit SupportTable(std::string_view text) : text_(text), gathered_(text) {}
+
+  Result<SupportFile> read() {
+    Lines lines(text_);
+    const auto heading = lines.next();
+    separator_ = heading ? separator_of(heading->text) : ' ';
+    if (heading) headings_ = split_cells(heading->text, separator_);
+    columns_ = columns_of(headings_, gathered_);
+    if (auto wrong = take_headings()) return *std::move(wrong);
+    for (auto line = lines.next(); line; line = lines.next())
+      if (auto wrong = take_row(line->text)) return *std::move(wrong);
+    gathered_.set_units(unit_of_capacities_, unit_of_readings_);
+    return gathered_.finish(unit_);
   }
-  gathered.set_units(unit_of_weights, unit_of_readings);
-  return gathered.finish(unit);
-}
+
+ private:
+  Problem take_headings() {
+    if (!columns_.x || !columns_.y)
+      return gathered_.error(
+          0, "the first line must name the columns x and y, and perhaps name and capacity");
+    const std::string_view x = headings_[*columns_.x], y = headings_[*columns_.y];
+    unit_ = columns_.is_in_feet ? LengthUnit::in : unit_of_column(x);
+    if (!columns_.is_in_feet && unit_ != unit_of_column(y))
+      return gathered_.error(0, "x and y are in different units");
+    // Brackets may also say more, as in "x (right)" and "y (up)".
+    const bool is_unknown =
+        unit_ == LengthUnit::none && !in_brackets(x).empty() && in_brackets(x) == in_brackets(y);
+    if (is_unknown)
+      return gathered_.error(0, "the unit of x and y is not known; it may be mm, cm, m, in or ft");
+    const auto unit_in = [&](const Cell& column) {
+      return column ? weight_unit_in(headings_[*column]) : std::nullopt;
+    };
+    of_capacities_ = unit_of_capacities_ = unit_in(columns_.capacity);
+    of_readings_ = unit_of_readings_ = unit_in(columns_.reading);
+    if (of_capacities_ == 0.0)
+      return gathered_.error(
+          0, "the unit of the capacities is not known; it may be kg, t, N, kN or lb");
+    if (of_readings_ == 0.0)
+      gathered_.refuse_readings(
+          0, "the unit of the readings is not known; it may be kg, t, N, kN or lb");
+    return std::nullopt;
+  }
+
+  // The word in brackets: "furlong" of "x (furlong)".
+  static std::string_view in_brackets(std::string_view heading) {
+    const std::size_t open = std::min(heading.find_first_of("(["), heading.size());
+    heading.remove_prefix(open);
+    if (!heading.empty()) heading.remove_prefix(1);
+    heading = trimmed(heading.substr(0, heading.find_first_of(")]")));
+    return std::all_of(heading.begin(), heading.end(), is_letter) ? heading : std::string_view();
+  }
+
+  std::string_view cell(const Fields& cells, const Cell& column) const {
+    return column && *column < cells.size() ? cells[*column] : std::string_view();
+  }
+
+  std::optional<double> value(const Fields& cells, const Cell& column) const {
+    const std::string_view text = cell(cells, column);
+    return text.empty() ? std::nullopt : cell_number(text, separator_ != ',' && separator_ != ' ');
+  }
+
+  std::optional<Vec2> point(const Fields& cells, const Cell& across, const Cell& up) const {
+    const auto x = value(cells, across), y = value(cells, up);
+    if (!x || !y) return std::nullopt;
+    const Vec2 at(*x, *y);
+    return columns_.is_in_feet ? inches_of_a_foot * at : at;
+  }
+
+  Problem take_row(std::string_view line) {
+    const Fields cells = split_cells(line, separator_);
+    const auto offset = static_cast<std::size_t>(line.data() - text_.data());
+    if (cells.size() > headings_.size())
+      return gathered_.error(offset,
+                             "the line has more cells than the first line; decimals with a "
+                             "comma need a semicolon between the columns");
+    const auto at = point(cells, columns_.x, columns_.y);
+    if (!at) return gathered_.error(offset, "the line needs a number for x and for y");
+    const auto capacity = value(cells, columns_.capacity);
+    if (!capacity && !cell(cells, columns_.capacity).empty())
+      return gathered_.error(offset, "the capacity is not a number");
+    if (auto wrong = take_units(cells, offset)) return wrong;
+    const auto contact = point(cells, columns_.contact_x, columns_.contact_y);
+    if (auto wrong = gathered_.add({*at, contact, capacity, cell(cells, columns_.name)}, offset))
+      return wrong;
+    if (const auto reading = value(cells, columns_.reading); reading && *reading >= 0)
+      gathered_.add_reading(*reading);
+    else if (columns_.reading)
+      gathered_.refuse_readings(
+          offset, reading ? "the reading is negative" : "the line has no number for the reading");
+    return std::nullopt;
+  }
+
+  // evenlift's own poses have a column of units; in other tables it may mean something else.
+  Problem take_units(const Fields& cells, std::size_t offset) {
+    const auto weight = weight_unit_in("(" + std::string(cell(cells, columns_.weight_unit)) + ")");
+    if (weight && *weight > 0) {
+      if (!of_capacities_) unit_of_capacities_ = weight;
+      if (!of_readings_) unit_of_readings_ = weight;
+    }
+    const LengthUnit own = unit_named(cell(cells, columns_.unit)).value_or(LengthUnit::none);
+    if (own == LengthUnit::none) return std::nullopt;
+    if (unit_ != LengthUnit::none && own != unit_)
+      return gathered_.error(offset, "the robots are in different units");
+    unit_ = own;
+    return std::nullopt;
+  }
+
+  std::string_view text_;
+  Gathered gathered_;
+  char separator_ = ' ';
+  Fields headings_;
+  Columns columns_;
+  LengthUnit unit_ = LengthUnit::none;
+  std::optional<double> of_capacities_, of_readings_;  // as the headings state them
+  std::optional<double> unit_of_capacities_, unit_of_readings_;
+};
 
 }  // namespace
 
@@ -565,7 +676,8 @@ Result<SupportFile> read_support_file(std::string_view text) {
     if (!tree) return tree.error();
     return JsonSupports(text, *tree).read();
   }
-  return text.find("position:") != std::string_view::npos ? read_poses(text) : read_table(text);
+  return text.find("position:") != std::string_view::npos ? read_poses(text)
+                                                          : SupportTable(text).read();
 }
 
 }  // namespace evenlift

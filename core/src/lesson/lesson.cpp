@@ -177,6 +177,7 @@ std::optional<InputError> put_robots(Exercise& exercise, std::size_t robots) {
   document.settings.goal.reset();
   document.settings.supports = supports_to_place(*object, centre->all, robots, document.settings);
   document.shown.support_capacities.clear();
+  document.settings.support_names.clear();
   document.moved = {};
   return std::nullopt;
 }
@@ -187,7 +188,8 @@ struct Part {
   std::initializer_list<Setting> settings;
 };
 const Part parts[] = {
-    {Movable::robots, {Setting::supports, Setting::support_capacities, Setting::robots}},
+    {Movable::robots,
+     {Setting::supports, Setting::support_capacities, Setting::support_names, Setting::robots}},
     {Movable::teams,
      {Setting::teams, Setting::min_ratio, Setting::seed, Setting::positions, Setting::goal,
       Setting::min_margin, Setting::apart}},

@@ -20,7 +20,10 @@ namespace {
 
 // Each item has three numbers, and a name in quotes with characters of up to four bytes.
 constexpr std::size_t most_bytes_of_cargo = max_cargo * (3 * 26 + 4 * max_name_characters + 4);
-static_assert(most_bytes_of_cargo < 1u << widest_length);
+// A name of quotation marks takes two bytes for each, one of other characters at most four.
+constexpr std::size_t most_bytes_of_names = most_supports * (4 * max_name_characters + 3);
+static_assert(most_bytes_of_cargo < 1u << widest_length &&
+              most_bytes_of_names < 1u << widest_length);
 
 // Overlays added after version 1, and the payload of one that is shown.
 struct OverlayRecord {
@@ -118,6 +121,7 @@ std::size_t longest_value(Tag number) {
     return 32 * most_supports;
   if (row && row->setting == Setting::heading) return 2 * 32;
   if (row && row->setting == Setting::cargo) return most_bytes_of_cargo;
+  if (row && row->setting == Setting::support_names) return most_bytes_of_names;
   return row && row->setting == Setting::no_go ? 64 * most_no_go : 32;
 }
 

@@ -25,6 +25,15 @@ bool same_word(std::string_view word, std::string_view lower) {
   return true;
 }
 
+std::string csv_cell(std::string text) {
+  if (!text.empty() && std::string_view("=+-@").find(text[0]) != std::string_view::npos)
+    text.insert(0, "'");
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
 Place place_in_text(std::string_view text, std::size_t offset) {
   if (offset > text.size()) offset = text.size();
   Place place{Place::Kind::line, 1, 1, {}};

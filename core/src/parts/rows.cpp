@@ -90,15 +90,6 @@ std::vector<std::size_t> order_of_rows(PartOrder order, const std::vector<Import
   return rows;
 }
 
-std::string csv_cell(std::string text) {
-  if (!text.empty() && std::string_view("=+-@").find(text[0]) != std::string_view::npos)
-    text.insert(0, "'");
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string parts_csv(const std::vector<std::size_t>& rows, const std::vector<Part>& parts,
                       const std::vector<PartResult>& results, bool conditions) {
   std::string text = first_headings;

@@ -211,6 +211,18 @@ double degrees_of(const Vec2& direction) {
 
 }  // namespace
 
+std::string_view Placement::name_of_support(std::size_t support) const {
+  const std::vector<std::string>& names = settings.support_names;
+  const bool has_name = settings.method == Method::given && support < names.size();
+  return has_name ? std::string_view(names[support]) : std::string_view();
+}
+
+std::string Placement::support_called(std::size_t support) const {
+  const std::string number = std::to_string(support + 1);
+  const std::string_view name = name_of_support(support);
+  return name.empty() ? number : number + " (" + std::string(name) + ")";
+}
+
 std::vector<PlacedRobot> placed_robots(const Placement& placement) {
   const Outline outline(placement.vertices(), near_distance(diameter(placement)));
   std::vector<PlacedRobot> robots;
@@ -223,10 +235,11 @@ std::vector<PlacedRobot> placed_robots(const Placement& placement) {
       const Vec2 inward =
           is_beneath ? Vec2(1, 0) : outline.inward_at(point, stands && stands->has_body());
       const double heading_deg = degrees_of(inward);
-      robots.push_back({point.position, stands ? stands->contact(point) : point.position,
-                        stands ? stands->stand(point) : point.position, is_beneath,
-                        placement.number_of(robots.size()), static_cast<std::uint32_t>(t),
-                        robot.load, heading_deg, inward / length(inward)});
+      robots.push_back(
+          {point.position, stands ? stands->contact(point) : point.position,
+           stands ? stands->stand(point) : point.position, is_beneath,
+           placement.number_of(robots.size()), std::string(placement.name_of(robots.size())),
+           static_cast<std::uint32_t>(t), robot.load, heading_deg, inward / length(inward)});
     }
   }
   return robots;

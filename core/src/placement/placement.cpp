@@ -251,6 +251,11 @@ std::optional<InputError> check_given(const Settings& settings, const Shown& sho
     return setting_error(Setting::supports,
                          "the method given needs the places of its robots, such as "
                          "0,0 160,0 80,90");
+  const std::size_t names = settings.support_names.size();
+  if (names > 0 && names != settings.supports.size())
+    return setting_error(
+        Setting::support_names,
+        say("{names} names are given for {supports} supports", {names, settings.supports.size()}));
   const std::size_t capacities = shown.support_capacities.size();
   if (capacities == 0 || capacities == settings.supports.size()) return std::nullopt;
   return setting_error(Setting::support_capacities,

@@ -53,7 +53,7 @@ std::string in_brief(const Vec2& point) {
     const std::string size = rounded(std::abs(value), six_digits, Rounding::nearest);
     return as_read(value < 0 ? "-" + size : size);
   };
-  return say("({x}, {y})", {coordinate(point.x), coordinate(point.y)});
+  return say("({x}, {y})", {coordinate(point.x), coordinate(written_y(point.y))});
 }
 
 // A snap distance of one digit that is at least this.

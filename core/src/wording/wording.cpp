@@ -57,6 +57,15 @@ std::string_view translated(std::string_view english) {
   return found == all.end() ? english : found->second;
 }
 
+namespace {
+
+bool y_is_down = false;
+
+}  // namespace
+
+void write_y_down() { y_is_down = true; }
+double written_y(double y) { return y_is_down ? -y : y; }
+
 std::string as_read(std::string number) {
   std::replace(number.begin(), number.end(), '.', translated(".")[0]);
   return number;

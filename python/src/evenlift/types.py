@@ -111,11 +111,13 @@ class Settings(TypedDict, total=False):
     robot_gap: Optional[float]
     """Free distance between two bodies."""
     supports: Optional[Union[Iterable[Union[Point, Support]], str]]
-    """Robots that already stand, each perhaps with its capacity; or a file of them."""
+    """Robots that already stand, each perhaps with its capacity and name; or a file of them."""
     snap: Optional[float]
     """Supports within S of the outline stand at the edge (default 1e-4 of its size)."""
     support_capacities: Optional[Union[Iterable[Optional[float]], str]]
     """Capacity of each support, as many as there are supports; it overrides those in supports."""
+    support_names: Optional[Union[Iterable[Optional[str]], str]]
+    """Name of each support, as many as there are supports; it overrides those in supports."""
     cargo: Optional[Union[Iterable[Union[Cargo, tuple[Point, float], tuple[Point, float, str]]], str]]
     """Loads that are fixed to the object, added to those of the file; none removes those."""
     com_height: Optional[float]
@@ -368,6 +370,8 @@ class _Robot(TypedDict):
 class Robot(_Robot, total=False):
     """A robot."""
 
+    name: str
+    """Of a support, if it has one."""
     support: int
     """Its number among `supports`, counted from 0, if some are left out."""
 
@@ -772,11 +776,13 @@ class PlacementDict(_PlacementDict, total=False):
     survive: int
     """Number of failures that balanced robots should survive (default 0); only with balanced robots."""
     supports: list[Position]
-    """Robots that already stand, each perhaps with its capacity; or a file of them; only with supports."""
+    """Robots that already stand, each perhaps with its capacity and name; or a file of them; only with supports."""
     snap: float
     """Supports within S of the outline stand at the edge (default 1e-4 of its size); only with supports."""
     support_capacities: list[Optional[float]]
     """Capacity of each support, as many as there are supports; it overrides those in supports; only with supports."""
+    support_names: list[Optional[str]]
+    """Name of each support, as many as there are supports; it overrides those in supports; only with supports."""
     cargo: list[CargoItem]
     """Loads that are fixed to the object, added to those of the file; none removes those; only if it is set."""
     com_height: float

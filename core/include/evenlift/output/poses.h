@@ -34,14 +34,17 @@ struct PoseOptions {
 
 // Returns the position, heading, load and team of each robot, team after team. Robots and teams are
 // counted from 1. The position of a robot with a size is the centre of its body; otherwise it is
-// the lifting point. The heading is that of PlacedRobot (placed_robots.h).
-//   csv   a row for each robot: robot,team,x,y,heading_deg,load,unit,weight_unit
+// the lifting point. The heading is that of PlacedRobot (placed_robots.h). Where the robot lifts
+// (at) and touches (contact; not beneath the object) is told, too, so that each format can be read
+// back as supports (import.h), and its name if it has one.
+//   csv   a row for each robot:
+//         robot,team,x,y,heading_deg,load,unit,weight_unit,at_x,at_y,contact_x,contact_y,name
 //   json  {"frame", "origin", "unit", "weight_unit", "robots": [{"robot", "team", "x", "y",
-//         "heading_deg", "direction": [x, y], "load"}]}; `direction` is the heading as a vector of
-//         length 1
+//         "heading_deg", "direction": [x, y], "load", "at": [x, y], "contact": [x, y] or null,
+//         "name"}]}; `direction` is the heading as a vector of length 1
 //   yaml  a geometry_msgs/msg/PoseArray that `ros2 topic pub` accepts, with positions in metres and
-//         z = 0. A rotation about the z axis turns the x axis to the heading. Loads and teams are
-//         in comments
+//         z = 0. A rotation about the z axis turns the x axis to the heading. Loads, teams and
+//         names are in comments, and for robots with a size poses_lift and poses_touch with points
 // Tables and JSON are in the placement's units. Numbers have the fewest digits that read back to
 // the same double. If the object has no unit, the YAML takes the object's coordinates to be in
 // metres, and states this in its first lines. The bytes are the same on every platform. O(n + m).

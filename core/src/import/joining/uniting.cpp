@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t most_compared = 20'000'000;  // pairs of edges
 constexpr std::size_t most_cuts = 1u << 20;
 // Where a union passes a point twice, its two ways are parted by this share of its larger side.
-constexpr double hair = 1e-6;
+constexpr double parting = 1e-6;
 
 bool overlap(const Box& a, const Box& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
@@ -211,12 +211,12 @@ class Uniter {
     return std::nullopt;
   }
 
-  // A way that passes a point twice is moved there by a hair to its right, which is outside.
+  // A way that passes a point twice is moved there by a parting to its right, which is outside.
   static Points parted(const Points& boundary) {
     Points sorted = boundary;
     std::sort(sorted.begin(), sorted.end(), is_before);
     const Box box = bounding_box(boundary);
-    const double most = hair * std::max(box.size().x, box.size().y);
+    const double most = parting * std::max(box.size().x, box.size().y);
     Points points;
     const std::size_t n = boundary.size();
     for (std::size_t i = 0; i < n; ++i) {

@@ -256,7 +256,84 @@ constexpr Meaning meanings[] = {
     {"label", Column::name},
     {"title", Column::name},
     {"bezeichnung", Column::name},
+    {"designation", Column::name},
+    {"nazwa", Column::name},
+    {"naam", Column::name},
+    {"jack", Column::support},
+    {"jacks", Column::support},
+    {"support", Column::support},
+    {"robot", Column::support},
+    {"leg", Column::support},
+    {"pad", Column::support},
+    {"stand", Column::support},
+    {"st\xc3\xbctze", Column::support},
+    {"stuetze", Column::support},
+    {"auflager", Column::support},
+    {"heber", Column::support},
+    {"winde", Column::support},
+    {"bein", Column::support},
+    {"appui", Column::support},
+    {"v\xc3\xa9rin", Column::support},
+    {"verin", Column::support},
+    {"apoyo", Column::support},
+    {"gato", Column::support},
+    {"appoggio", Column::support},
+    {"capacity", Column::capacity},
+    {"capacities", Column::capacity},
+    {"cap", Column::capacity},
+    {"swl", Column::capacity},
+    {"wll", Column::capacity},
+    {"tragkraft", Column::capacity},
+    {"traglast", Column::capacity},
+    {"tragf\xc3\xa4higkeit", Column::capacity},
+    {"tragfaehigkeit", Column::capacity},
+    {"kapazit\xc3\xa4t", Column::capacity},
+    {"capacit\xc3\xa9", Column::capacity},
+    {"capacite", Column::capacity},
+    {"cmu", Column::capacity},
+    {"capacidad", Column::capacity},
+    {"capacit\xc3\xa0", Column::capacity},
+    {"portata", Column::capacity},
+    {"reading", Column::load},
+    {"readings", Column::load},
+    {"reads", Column::load},
+    {"scale", Column::load},
+    {"load", Column::load},
+    {"loads", Column::load},
+    {"weight", Column::load},
+    {"weights", Column::load},
+    {"anzeige", Column::load},
+    {"ablesung", Column::load},
+    {"last", Column::load},
+    {"gewicht", Column::load},
+    {"messwert", Column::load},
+    {"lecture", Column::load},
+    {"charge", Column::load},
+    {"poids", Column::load},
+    {"lectura", Column::load},
+    {"carga", Column::load},
+    {"peso", Column::load},
+    {"carico", Column::load},
+    {"dia", Column::size},
+    {"diam", Column::size},
+    {"diameter", Column::size},
+    {"diametre", Column::size},
+    {"diam\xc3\xa8tre", Column::size},
+    {"di\xc3\xa1metro", Column::size},
+    {"diametro", Column::size},
+    {"durchmesser", Column::size},
+    {"radius", Column::size},
+    {"radio", Column::size},
+    {"rayon", Column::size},
+    {"drill", Column::size},
+    {"thickness", Column::thickness},
+    {"dicke", Column::thickness},
 };
+
+// Before a word of loads they make a capacity: "max. load".
+constexpr std::string_view greatest[] = {
+    "max",     "maximum", "maximal",          "maximale",   "rated",  "allowable", "zul",
+    "working", "safe",    "zul\xc3\xa4ssige", "zulaessige", "maxima", "maximo",    "m\xc3\xa1xima"};
 
 // Words that do not change the meaning of the coordinate.
 constexpr std::string_view beside[] = {"coord",
@@ -355,9 +432,7 @@ struct Reading {
   int rank = 0;  // 0 for the plainest name
 };
 
-bool is_coordinate(Column column) {
-  return column != Column::other && column != Column::number && column != Column::name;
-}
+bool is_coordinate(Column column) { return column > Column::other && column < Column::number; }
 
 // E and N, alone or with a unit: letters that only a pair of headings explains.
 Column meaning_of_letter(const Words& words) {
@@ -404,6 +479,16 @@ std::optional<std::size_t> best_column(const std::vector<Reading>& readings, Col
   return best;
 }
 
+bool is_in_feet(std::string_view heading) {
+  const Words words = words_of(heading);
+  static constexpr std::string_view feet[] = {"ft", "feet", "foot"};
+  static constexpr std::string_view survey[] = {"us", "survey"};
+  return std::any_of(words.begin(), words.end(),
+                     [](const std::string& word) { return is_among(word, feet); }) &&
+         std::none_of(words.begin(), words.end(),
+                      [](const std::string& word) { return is_among(word, survey); });
+}
+
 }  // namespace
 
 Column column_of(std::string_view heading) {
@@ -433,29 +518,35 @@ bool may_tell_shapes(std::string_view heading) {
          std::any_of(words.begin(), words.end(), [](auto& word) { return is_among(word, shapes); });
 }
 
-bool tells_capacity(std::string_view heading) {
-  static constexpr std::string_view capacities[] = {"capacity",  "capacit\xc3\xa9", "capacidad",
-                                                    "tragkraft", "traglast",        "swl"};
+Column content_of(std::string_view heading) {
   const Words words = words_of(heading);
-  return std::any_of(words.begin(), words.end(),
-                     [](auto& word) { return is_among(word, capacities); });
+  const auto means = [&](Column column) {
+    return std::any_of(words.begin(), words.end(),
+                       [&](const std::string& word) { return meaning_of(word) == column; });
+  };
+  const bool is_greatest = std::any_of(
+      words.begin(), words.end(), [](const std::string& word) { return is_among(word, greatest); });
+  const bool is_unit = words.size() == 1 && weight_unit_in(heading).value_or(0) > 0;
+  if (means(Column::capacity) || (is_greatest && means(Column::load))) return Column::capacity;
+  for (const Column column :
+       {Column::size, Column::thickness, Column::load, Column::name, Column::support})
+    if (means(column)) return column;
+  return is_unit ? Column::load : Column::other;
 }
 
-bool tells_size(std::string_view heading) {
-  static constexpr std::string_view sizes[] = {
-      "dia",      "diam",        "diameter", "diametre", "diam\xc3\xa8tre", "di\xc3\xa1metro",
-      "diametro", "durchmesser", "radius",   "radio",    "rayon",           "drill"};
-  const Words words = words_of(heading);
-  return std::any_of(words.begin(), words.end(), [](auto& word) { return is_among(word, sizes); });
-}
-
-bool tells_amounts(std::string_view heading) {
-  static constexpr std::string_view amounts[] = {"load",    "last",  "charge",   "weight",
-                                                 "gewicht", "poids", "thickness"};
-  const Words words = words_of(heading);
-  return tells_capacity(heading) || tells_size(heading) ||
-         std::any_of(words.begin(), words.end(),
-                     [](auto& word) { return is_among(word, amounts); });
+std::optional<double> weight_unit_in(std::string_view heading) {
+  const std::size_t open = heading.find_first_of("([");
+  std::string_view unit = open == std::string_view::npos ? heading : heading.substr(open + 1);
+  if (open == std::string_view::npos) unit = unit.substr(unit.find_last_of(" _") + 1);
+  unit = trimmed(unit.substr(0, unit.find_first_of(")]")));
+  const double newton = in_kilograms(1, WeightUnit::N), pound = in_kilograms(1, WeightUnit::lb);
+  const std::pair<std::string_view, double> known[] = {
+      {"kg", 1},     {"kgf", 1},           {"g", 0.001},         {"t", 1000},
+      {"to", 1000},  {"lb", pound},        {"lbs", pound},       {"lbf", pound},
+      {"n", newton}, {"dan", 10 * newton}, {"kn", 1000 * newton}};
+  for (const auto& [name, kilograms] : known)
+    if (same_word(unit, name)) return kilograms;
+  return open == std::string_view::npos ? std::nullopt : std::optional(0.0);
 }
 
 Fields names_among(const Fields& words) {
@@ -498,8 +589,10 @@ std::optional<NamedColumns> named_columns(const Fields& headings) {
   for (const auto& [across, up] : pairs) {
     const auto x = best_column(readings, across), y = best_column(readings, up);
     if (!x || !y) continue;
-    NamedColumns columns{*x, *y, across, unit_in(headings[*x]), {}};
+    NamedColumns columns{*x, *y, across, unit_in(headings[*x])};
     if (columns.unit != unit_in(headings[*y])) columns.unit = LengthUnit::none;
+    columns.is_in_feet = is_in_feet(headings[*x]) && is_in_feet(headings[*y]);
+    if (columns.is_in_feet) columns.unit = LengthUnit::in;
     for (std::size_t i = 0; i < readings.size(); ++i)
       if (readings[i].column == Column::height) columns.heights.push_back(i);
     return columns;

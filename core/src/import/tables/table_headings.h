@@ -77,21 +77,26 @@ enum class Column : std::uint8_t {
   latitude,
   height,  // z
   number,  // the number of a point: "OBJECTID", "Point No.", "#"
-  name
+  name,
+  support,   // what numbers or names a support: "jack", "Stütze"
+  capacity,  // "SWL (kg)", "Tragkraft", "max. load"
+  load,      // what a support reads: "reading (lb)", "Last", "kg"
+  size,      // of a round hole: "Dia"
+  thickness
 };
 
-// What the heading says about its column. O(heading).
+// What the heading says about its column as one of coordinates: one of those up to `name`. O(heading).
 Column column_of(std::string_view heading);
+
+// What the heading says about its column besides coordinates: one of those from `name` on, or other. O(heading).
+Column content_of(std::string_view heading);
+
+// The kilograms in the unit of weight that the heading states in brackets, or as its last word: "load
+// (kN)", "reading lb". Nothing without brackets or such a word; 0 for an unknown unit in brackets. O(heading).
+std::optional<double> weight_unit_in(std::string_view heading);
 
 // Whether a column may number or name the shapes: "Name", "fid", "part", "Layer". O(heading).
 bool may_tell_shapes(std::string_view heading);
-
-// Whether a column has capacities, such as "capacity (kg)"; or these or other amounts, such as "Dia".
-// O(heading).
-bool tells_capacity(std::string_view heading);
-// Whether the heading names the size of a round hole, such as "Dia".
-bool tells_size(std::string_view heading);
-bool tells_amounts(std::string_view heading);
 
 // The words that name columns, such as X and Y in "X coord Y coord". Words such as "coord" are
 // passed over. Empty if there is any other word, since the line may be prose. O(words).
@@ -101,10 +106,13 @@ Fields names_among(const Fields& words);
 // O(heading).
 LengthUnit unit_in(std::string_view heading);
 
+inline constexpr double inches_of_a_foot = 12;
+
 struct NamedColumns {
   std::size_t x = 0, y = 0;
   Column meaning = Column::x;          // the meaning of x: x, easting or longitude
   LengthUnit unit = LengthUnit::none;  // the unit of both; none if their units differ
+  bool is_in_feet = false;             // both are in feet, and `unit` is inches: multiply by 12
   std::vector<std::size_t> heights;    // columns of heights, which are left out
 };
 

@@ -25,6 +25,12 @@ std::string capacities(const std::vector<std::optional<double>>& given) {
   return array(items);
 }
 
+std::string names(const std::vector<std::string>& given) {
+  std::vector<std::string> items;
+  for (const std::string& name : given) items.push_back(name.empty() ? "null" : text(name));
+  return array(items);
+}
+
 std::string cargo(const std::vector<Cargo>& cargo) {
   std::vector<std::string> items;
   for (const Cargo& item : cargo) {
@@ -49,6 +55,8 @@ std::string value(const SettingRow& row, const Document& document) {
       return cargo(document.settings.cargo);
     case Setting::support_capacities:
       return capacities(document.shown.support_capacities);
+    case Setting::support_names:
+      return names(document.settings.support_names);
     case Setting::readings:
       return numbers(document.settings.weighed.readings);
     case Setting::readings_tilted:

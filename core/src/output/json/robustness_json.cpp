@@ -79,6 +79,7 @@ std::string robots(const Placement& placement, int depth) {
                                    {"stand", pair(robot.stand)},
                                    {"heading", robot.beneath ? "null" : number(robot.heading_deg)},
                                    {"place", text(robot.beneath ? "beneath" : "edge")}};
+    if (!robot.name.empty()) members.push_back({"name", text(robot.name)});
     if (!placement.supports.empty())
       members.push_back({"support", std::to_string(robot.number - 1)});
     items.push_back(object(members));

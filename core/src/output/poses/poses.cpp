@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "evenlift/formats.h"
 #include "evenlift/numbers.h"
 #include "evenlift/output/json_text.h"
 #include "evenlift/wording.h"
@@ -25,13 +26,13 @@ std::string_view name(PoseOrigin origin) { return origin == PoseOrigin::file ? "
 // Zero has no sign in a table or a message.
 double without_sign(double value) { return value == 0 ? 0 : value; }
 
-// The robots at their stands, relative to `origin`.
+// The robots relative to `origin`.
 std::vector<PlacedRobot> robots_from(const Placement& placement, PoseOrigin origin) {
   std::vector<PlacedRobot> robots = placed_robots(placement);
-  for (PlacedRobot& robot : robots) {
-    robot.at = robot.stand;
-    if (origin == PoseOrigin::com) robot.at -= placement.centre_of_mass;
-  }
+  if (origin == PoseOrigin::com)
+    for (PlacedRobot& robot : robots)
+      for (Vec2* const place : {&robot.at, &robot.contact, &robot.stand})
+        *place -= placement.centre_of_mass;
   return robots;
 }
 
@@ -40,16 +41,21 @@ std::string unit_or_nothing(LengthUnit unit) {
 }
 
 std::string as_csv(const std::vector<PlacedRobot>& robots, bool carried, const Units& units) {
-  std::string text = "robot,team,x,y,heading_deg,load,unit,weight_unit\n";
+  std::string text =
+      "robot,team,x,y,heading_deg,load,unit,weight_unit,at_x,at_y,contact_x,contact_y,name\n";
   const std::string labels =
-      "," + unit_or_nothing(units.length) + "," + std::string(name(units.weight)) + "\n";
+      "," + unit_or_nothing(units.length) + "," + std::string(name(units.weight));
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const PlacedRobot& robot = robots[i];
     text += std::to_string(robot.number) + "," + std::to_string(robot.team + 1);
-    for (const double value : {robot.at.x, robot.at.y, robot.heading_deg})
+    for (const double value : {robot.stand.x, robot.stand.y, robot.heading_deg})
       text += "," + shortest(without_sign(value));
     text += "," + (carried ? shortest(without_sign(robot.load)) : std::string());
     text += labels;
+    for (const double value : {robot.at.x, robot.at.y}) text += "," + shortest(without_sign(value));
+    for (const double value : {robot.contact.x, robot.contact.y})
+      text += "," + (robot.beneath ? std::string() : shortest(without_sign(value)));
+    text += "," + csv_cell(robot.name) + "\n";
   }
   return text;
 }
@@ -60,14 +66,18 @@ std::string as_json(const std::vector<PlacedRobot>& robots, bool carried, const 
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const PlacedRobot& robot = robots[i];
     const auto number = [](double value) { return json::number(without_sign(value)); };
-    items.push_back(json::object(
-        {{"robot", std::to_string(robot.number)},
-         {"team", std::to_string(robot.team + 1)},
-         {"x", number(robot.at.x)},
-         {"y", number(robot.at.y)},
-         {"heading_deg", number(robot.heading_deg)},
-         {"direction", json::array({number(robot.direction.x), number(robot.direction.y)})},
-         {"load", carried ? number(robot.load) : "null"}}));
+    const auto pair = [&](const Vec2& at) { return json::array({number(at.x), number(at.y)}); };
+    std::vector<json::Member> members = {{"robot", std::to_string(robot.number)},
+                                         {"team", std::to_string(robot.team + 1)},
+                                         {"x", number(robot.stand.x)},
+                                         {"y", number(robot.stand.y)},
+                                         {"heading_deg", number(robot.heading_deg)},
+                                         {"direction", pair(robot.direction)},
+                                         {"load", carried ? number(robot.load) : "null"},
+                                         {"at", pair(robot.at)},
+                                         {"contact", robot.beneath ? "null" : pair(robot.contact)}};
+    if (!robot.name.empty()) members.push_back({"name", json::text(robot.name)});
+    items.push_back(json::object(members));
   }
   const bool has_unit = units.length != LengthUnit::none;
   return json::long_object({{"frame", json::text(options.frame)},
@@ -109,8 +119,13 @@ std::string vector_in_yaml(std::initializer_list<std::pair<const char*, double>>
   return text + "}";
 }
 
-std::string as_yaml(const std::vector<PlacedRobot>& robots, bool carried, const Units& units,
-                    const PoseOptions& options) {
+std::string point_in_yaml(const Vec2& at, const Units& units) {
+  return vector_in_yaml(
+      {{"x", in_metres(at.x, units.length)}, {"y", in_metres(at.y, units.length)}});
+}
+
+std::string as_yaml(const std::vector<PlacedRobot>& robots, bool carried, bool sized,
+                    const Units& units, const PoseOptions& options) {
   std::string text =
       "# " + say("geometry_msgs/msg/PoseArray, in metres; x of each pose faces the object") + "\n";
   if (units.length == LengthUnit::none)
@@ -126,10 +141,16 @@ std::string as_yaml(const std::vector<PlacedRobot>& robots, bool carried, const 
                             shortest(robot.load) + " " + std::string(name(units.weight))})
                      : say("Robot {robot} (team {team}) carries nothing: the object falls",
                            {robot.number, robot.team + 1})) +
-            "\n";
+            (robot.name.empty() ? "" : ": " + robot.name) + "\n";
+    if (sized)
+      text += "  # " + std::string(poses_lift) + " " + point_in_yaml(robot.at, units) +
+              (robot.beneath
+                   ? ""
+                   : ", " + std::string(poses_touch) + " " + point_in_yaml(robot.contact, units)) +
+              "\n";
     text += "  - position: " +
-            vector_in_yaml({{"x", in_metres(robot.at.x, units.length)},
-                            {"y", in_metres(robot.at.y, units.length)},
+            vector_in_yaml({{"x", in_metres(robot.stand.x, units.length)},
+                            {"y", in_metres(robot.stand.y, units.length)},
                             {"z", 0}}) +
             "\n    orientation: " + vector_in_yaml({{"x", 0}, {"y", 0}, {"z", z}, {"w", w}}) + "\n";
   }
@@ -159,14 +180,14 @@ bool is_frame_name(std::string_view text) {
 
 std::string poses_text(const ShownPlacement& of, PoseFormat format, const PoseOptions& options) {
   const std::vector<PlacedRobot> robots = robots_from(of.placement, options.origin);
-  const bool carried = of.placement.loads.has_value();
+  const bool carried = of.placement.loads.has_value(), sized = of.placement.stands != nullptr;
   switch (format) {
     case PoseFormat::csv:
       return as_csv(robots, carried, of.shown.units);
     case PoseFormat::json:
       return as_json(robots, carried, of.shown.units, options);
     case PoseFormat::yaml:
-      return as_yaml(robots, carried, of.shown.units, options);
+      return as_yaml(robots, carried, sized, of.shown.units, options);
   }
   return {};
 }

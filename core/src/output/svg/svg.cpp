@@ -372,12 +372,15 @@ class Drawing {
   }
 
   void add_loads(std::vector<Label>& wanted) const {
-    if (stands_.size() > most_labels || !placement_.loads) return;
+    if (stands_.size() > most_labels) return;
     const Vec2 centre = paper_(placement_.centre_of_mass);
     for (const Stand& stand : stands_) {
-      const bool over = overloads(stand);
+      const bool over = placement_.loads && overloads(stand);
+      const std::string load =
+          placement_.loads ? load_text(stand, largest_load_, of_.shown.units) : std::string();
+      if (load.empty() && stand.name.empty()) continue;
       wanted.push_back(label(stand.body.value_or(disc(stand)), stand.at - centre,
-                             load_text(stand, largest_load_, of_.shown.units),
+                             robot_label(stand.name, load),
                              attribute("class", over ? "load overload" : "load") +
                                  attribute("fill", over ? overload_colour : text_colour)));
       wanted.back().overload = over;

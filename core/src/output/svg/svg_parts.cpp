@@ -45,6 +45,20 @@ std::size_t character_count(std::string_view text) {
   }));
 }
 
+std::string shortened(std::string_view text, std::size_t most) {
+  if (character_count(text) <= most) return std::string(text);
+  std::size_t end = 0;
+  for (std::size_t characters = 0; end < text.size(); ++end)
+    if ((static_cast<unsigned char>(text[end]) & 0xC0) != 0x80 && ++characters == most) break;
+  return std::string(text.substr(0, end)) + "…";
+}
+
+std::string robot_label(std::string_view name, const std::string& load) {
+  constexpr std::size_t most = 16;
+  if (name.empty()) return load;
+  return shortened(name, most) + (load.empty() ? "" : " " + load);
+}
+
 }  // namespace evenlift
 
 namespace evenlift::svg {
@@ -175,8 +189,16 @@ std::vector<Stand> find_stands(const Placement& placement, const std::vector<Pla
       return length(stand.at - at) < apart && stand.beneath == (point.edge == beneath);
     });
     if (taken == stands.end()) {
-      stands.push_back({at, number, team, {load}, {robot}, body, point.edge == beneath});
+      stands.push_back({at,
+                        number,
+                        team,
+                        {load},
+                        {robot},
+                        body,
+                        point.edge == beneath,
+                        std::string(placement.name_of(robot))});
     } else {
+      taken->name.clear();
       taken->numbers += "·" + number;
       taken->team = 0;
       taken->loads.push_back(load);
@@ -287,15 +309,6 @@ namespace {
 
 constexpr std::size_t most_characters = 24;  // of a name
 
-std::string first_characters(const std::string& text, std::size_t number) {
-  std::size_t end = 0, characters = 0;
-  for (; end < text.size(); ++end) {
-    const bool begins = (static_cast<unsigned char>(text[end]) & 0xC0) != 0x80;
-    if (begins && characters++ == number) break;
-  }
-  return text.substr(0, end);
-}
-
 std::string disc(std::string_view name, const Vec2& at, double radius, const std::string& look) {
   return element("circle", attribute("class", name) + attribute("cx", at.x) +
                                attribute("cy", at.y) + attribute("r", radius) + look);
@@ -333,8 +346,7 @@ std::string own_centre_mark(const Vec2& at, double radius) {
 
 std::string cargo_label(const Cargo& item, const Units& units) {
   if (item.name.empty()) return given_weight(item.weight, units);
-  if (character_count(item.name) <= most_characters) return item.name;
-  return first_characters(item.name, most_characters - 1) + "…";
+  return shortened(item.name, most_characters);
 }
 
 namespace {

@@ -98,6 +98,7 @@ struct Stand {
   std::vector<std::size_t> robots;  // their numbers (loads.h)
   std::optional<Box> body;          // the first robot's, if robots have a size
   bool beneath = false;             // beneath the object (supports.h)
+  std::string name = {};            // of a single robot
 };
 
 // Robots closer than `apart` pixels share a stand, but a robot beneath the object never shares one

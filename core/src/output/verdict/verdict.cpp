@@ -19,7 +19,7 @@ namespace {
 
 std::string misfit_sentence(const ShownPlacement& of, const Misfit& misfit) {
   const RobotSize& size = of.placement.settings.robot;
-  const std::uint32_t robot = of.placement.number_of(misfit.robot);
+  const std::string robot = of.placement.called(misfit.robot);
   switch (misfit.why) {
     case Misfit::Why::outside:
       return size.radius > 0 ? say("Robot {robot} has no room for its body of radius {radius}.",
@@ -37,7 +37,7 @@ std::string misfit_sentence(const ShownPlacement& of, const Misfit& misfit) {
       break;
   }
   return say("Robots {other} and {robot} are too near to each other.",
-             {of.placement.number_of(misfit.other), robot});
+             {of.placement.called(misfit.other), robot});
 }
 
 }  // namespace
@@ -70,13 +70,15 @@ namespace {
 
 // "Robots 3 and 5 are outside the object: they carry nothing."
 std::string left_out_sentence(const Placement& placement, const Misplaced& first) {
-  std::vector<std::size_t> numbers;
+  const bool is_hole = first.kind == Misplaced::Kind::hole;
+  std::vector<std::string> numbers;
   for (const Misplaced& each : placement.left_out)
     if (each.kind == first.kind && each.in_hole == first.in_hole)
-      numbers.push_back(each.index + std::size_t{1});
+      numbers.push_back(is_hole ? std::to_string(each.index + std::size_t{1})
+                                : placement.support_called(each.index));
   const bool one = numbers.size() == 1;
-  const std::string named = listed(numbers);
-  if (first.kind == Misplaced::Kind::hole)
+  const std::string named = listed_briefly(numbers);
+  if (is_hole)
     return say(one ? "Hole {holes} does not fit the object, and is left out."
                    : "Holes {holes} do not fit the object, and are left out.",
                {named});

@@ -205,7 +205,7 @@ std::string given_point(const Vec2& point) {
 }
 
 std::string point_in_words(const Vec2& point, int decimals) {
-  return say("({x}, {y})", {fixed(point.x, decimals), fixed(point.y, decimals)});
+  return say("({x}, {y})", {fixed(point.x, decimals), fixed(written_y(point.y), decimals)});
 }
 
 int coordinate_decimals(const Points& vertices) {

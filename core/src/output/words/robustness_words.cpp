@@ -12,7 +12,7 @@
 namespace evenlift {
 namespace {
 
-using Robots = std::vector<std::size_t>;
+using Robots = std::vector<std::string>;  // what people call them
 
 std::string springs_in_words(const Placement& placement, const SpringLoads& springs,
                              const Units& units) {
@@ -23,11 +23,11 @@ std::string springs_in_words(const Placement& placement, const SpringLoads& spri
       {load_in_words(*least, *greatest, *greatest, units)});
   Robots idle;
   for (std::size_t i = 0; i < springs.loads.size(); ++i)
-    if (springs.loads[i] == 0) idle.push_back(placement.number_of(i));
+    if (springs.loads[i] == 0) idle.push_back(placement.called(i));
   if (idle.empty()) return text;
   return text + " " +
          say(idle.size() == 1 ? "Robot {robots} goes slack." : "Robots {robots} go slack.",
-             {listed(idle)});
+             {listed_briefly(idle)});
 }
 
 // "five", or digits above twelve.
@@ -47,7 +47,8 @@ bool is_disturbed(const RestOfRobots& rest) {
 }
 
 std::string robots_or(const Robots& robots) {
-  return say(robots.size() == 1 ? "robot {robots}" : "any of robots {robots}", {listed(robots)});
+  return say(robots.size() == 1 ? "robot {robots}" : "any of robots {robots}",
+             {listed_briefly(robots)});
 }
 
 std::string loads_if_disturbed(const Reported& of) {
@@ -146,16 +147,16 @@ std::string failures_in_words(const Reported& of) {
   bool disturbed = false;
   for (std::size_t i = 0; i < failures.size(); ++i) {
     if (!failures[i]) {
-      needed.push_back(of.placement.number_of(i));
+      needed.push_back(of.placement.called(i));
       continue;
     }
     if (!failures[i]->stays) {
-      tips.push_back(of.placement.number_of(i));
+      tips.push_back(of.placement.called(i));
       continue;
     }
-    if (!failures[i]->clear) for_steadiness.push_back(of.placement.number_of(i));
+    if (!failures[i]->clear) for_steadiness.push_back(of.placement.called(i));
     if (i < overloaded.size() && !overloaded[i].empty())
-      for_capacity.push_back(of.placement.number_of(i));
+      for_capacity.push_back(of.placement.called(i));
     greatest = std::max(greatest, greatest_after(*failures[i]));
     disturbed = disturbed || is_disturbed(*failures[i]);
   }
@@ -195,7 +196,7 @@ std::string failure_in_words(const ShownPlacement& of, std::size_t robot,
   const std::optional<double>& capacity = of.shown.capacity;
   const std::string conditions = conditions_in_words(of.shown);
   const std::string others = in_letters(robots - 1);
-  const std::uint32_t number = of.placement.number_of(robot);
+  const std::string number = of.placement.called(robot);
   if (robots == 1) return say("Robot {robot} fails: nothing else carries the object.", {number});
   if (!rest)
     return robots == 2
@@ -237,7 +238,7 @@ namespace {
 
 // As the subject and verb of a sentence.
 std::string first_to_fail(const Placement& placement, const Accuracy::First& first) {
-  const auto number = [&](std::size_t i) { return placement.number_of(first.robots[i]); };
+  const auto number = [&](std::size_t i) { return placement.called(first.robots[i]); };
   switch (first.what) {
     case Promise::fits:
       return first.robots.size() == 1 ? say("robot {robot} may have no room", {number(0)})
@@ -282,7 +283,7 @@ std::string with_asked(const Reported& of) {
   return say(
       "With robots off by up to {distance} all of this still holds; robot {robot} then carries up "
       "to about {load}.",
-      {asked, of.placement.number_of(all.greatest->robot),
+      {asked, of.placement.called(all.greatest->robot),
        load_in_words(all.greatest->load, units, Toward::up)});
 }
 
@@ -322,8 +323,8 @@ std::string upright_in_words(const Reported& of) {
   const auto& line = of.report.tipping_line;
   if (!line || of.report.tips || of.report.upright) return {};
   return say("C is only {distance} inside the line from robot {a} to robot {b}.",
-             {promised_length(line->distance, of.shown.units),
-              of.placement.number_of(line->robots[0]), of.placement.number_of(line->robots[1])});
+             {promised_length(line->distance, of.shown.units), of.placement.called(line->robots[0]),
+              of.placement.called(line->robots[1])});
 }
 
 }  // namespace evenlift

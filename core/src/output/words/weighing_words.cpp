@@ -117,7 +117,7 @@ std::string use_in_words(const Reported& of) {
   if (!most || !of.placement.loads || of.report.tips) return {};
   const Carrying& carrying = of.shown.carrying;
   const std::string use = use_in_words(of.report.use[*most]), factor = plain(carrying.dynamic),
-                    robot = std::to_string(of.placement.number_of(*most));
+                    robot = of.placement.called(*most);
   return carrying.weight_doubt > 0
              ? say("Robot {robot} is used to {use}, with a dynamic factor of {factor} and a weight "
                    "that may be off by {amount}.",
@@ -158,9 +158,8 @@ std::string name_of_case(const LoadCase& each, const Reported& of) {
       return say("all of these");
     case LoadCase::Kind::failure:
       return of.report.disturbance.any()
-                 ? say("all of these, and robot {robot} fails",
-                       {of.placement.number_of(*each.failed)})
-                 : say("robot {robot} fails", {of.placement.number_of(*each.failed)});
+                 ? say("all of these, and robot {robot} fails", {of.placement.called(*each.failed)})
+                 : say("robot {robot} fails", {of.placement.called(*each.failed)});
   }
   return {};
 }
@@ -174,7 +173,7 @@ std::vector<CaseInWords> cases_in_words(const Reported& of, const std::vector<Lo
   for (const LoadCase& each : cases)
     rows.push_back({name_of_case(each, of),
                     each.greatest ? amount(*each.greatest, largest, Toward::up) : nothing,
-                    each.robot ? std::to_string(of.placement.number_of(*each.robot)) : nothing,
+                    each.robot ? of.placement.called(*each.robot) : nothing,
                     each.least ? amount(*each.least, largest, Toward::down) : nothing,
                     of.report.has_capacities ? use_in_words(each.use) : std::string(),
                     !each.stays                 ? say("no")

@@ -143,7 +143,7 @@ std::string fragile_hold_in_words(const ShownPlacement& of) {
   return say(
       "It is held only as long as robot {robot} stands accurately: it is only {distance} from a "
       "corner.",
-      {of.placement.number_of(clearance.point.value_or(0)),
+      {of.placement.called(clearance.point.value_or(0)),
        promised_length(clearance.distance, of.shown.units)});
 }
 
