@@ -231,8 +231,8 @@ test("the sheet of a drawing is offered last, and its parts first", async () => 
   await shapes(page).first().waitFor();
   await idle(page);
   assert.deepEqual(await shapes(page).allTextContents(), [
-    "rectangle 4 vertices, 1 hole, 30 × 20",
-    "rectangle 4 vertices, 9 × 9",
+    "rectangle 4 vertices, 1 hole, 30 × 20 on the sheet",
+    "rectangle 4 vertices, 9 × 9 on the sheet",
     "sheet, rectangle 4 vertices, 50 × 50",
   ]);
   assert.equal(await focused(page), "0", "not the sheet, though it is larger");
@@ -282,6 +282,32 @@ test("of several shapes one is chosen, by the keys or a click", async () => {
   await shapes(page).nth(2).click();
   await idle(page);
   assert.equal((await polygon()).length, 20);
+});
+
+test("shapes on a sheet and in holes show where they lie, and the largest part is offered", async () => {
+  await load(page, asset("cross"));
+  const text = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 400"><rect width="600" height="400" fill="white"/>
+    <g fill="none" stroke="black"><rect x="50" y="50" width="300" height="220"/><rect x="100" y="90" width="180" height="120"/>
+    <rect x="160" y="110" width="80" height="80"/><rect x="190" y="140" width="20" height="20"/></g></svg>`;
+  await drop(page, { files: [["levels.svg", text]] });
+  await shapes(page).first().waitFor();
+  await idle(page);
+  assert.deepEqual(await shapes(page).allTextContents(), [
+    "rectangle 4 vertices, 1 hole, 300 × 220 on the sheet",
+    "rectangle 4 vertices, 1 hole, 80 × 80 inside another shape",
+    "sheet, rectangle 4 vertices, 600 × 400",
+  ]);
+  const pictures = (at) => shapes(page).nth(at).locator("svg").count();
+  assert.deepEqual(
+    [await pictures(0), await pictures(1), await pictures(2)],
+    [2, 3, 1],
+    "sheet › plate › part in its hole",
+  );
+  assert.equal(await focused(page), "0");
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  assert.equal((await state(page)).holes.length, 1);
 });
 
 test("a typed text of several shapes is still there if none is chosen", async () => {

@@ -49,6 +49,7 @@ std::string shape_json(const Import& import, const ImportedShape& shape) {
   return json::object({{"name", json::text(shape.name)},
                        {"description", json::text(describe(shape))},
                        {"sheet", json::boolean(shape.sheet)},
+                       {"within", shape.within ? std::to_string(*shape.within) : "null"},
                        {"tolerance", json::number(shape.tolerance.value_or(0))},
                        {"outline", thinned(document.vertices)},
                        {"holes", thinned(document.holes)},

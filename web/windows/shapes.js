@@ -9,14 +9,52 @@ import { underWay } from "../page/under_way.js";
 
 const atOnce = 100; // shapes before "Show more"
 
-export function smallPicture({ outline, holes }, width, height) {
+export function smallPicture({ outline, holes }, width, height, part) {
   const place = fitted(outline, width, height, 4);
-  const rings = [outline, ...holes].map((ring) => ring.map(place));
+  const path = (shape, attributes) =>
+    svgEl("path", {
+      d: pathOf([shape.outline, ...shape.holes].map((ring) => ring.map(place))),
+      "fill-rule": "evenodd",
+      ...attributes,
+    });
   return svgEl(
     "svg",
     { viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" },
-    svgEl("path", { d: pathOf(rings), "fill-rule": "evenodd" }),
+    path({ outline, holes }, part && { class: "around" }),
+    ...(part ? [path(part)] : []),
   );
+}
+
+// The shapes around this one, the outermost first.
+function levels(shape, shapes) {
+  const around = [];
+  for (let at = shape.within; at !== null && at !== undefined; at = shapes[at].within) around.unshift(shapes[at]);
+  return around;
+}
+
+// Where a shape lies: each shape around it with the next one in it, then the shape itself. Deeper levels leave out the
+// outermost.
+function pictures(shape, shapes) {
+  const [most, around] = [2, levels(shape, shapes)];
+  const chain = [...around.slice(-most), shape];
+  if (chain.length === 1) return [smallPicture(shape, 96, 64)];
+  const wide = 96 / chain.length + 16;
+  return [
+    el(
+      "div",
+      { class: "levels" },
+      ...chain.flatMap((each, i) => [
+        ...(i > 0 ? [el("span", { class: "second" })] : []),
+        smallPicture(i + 1 < chain.length ? { ...each, holes: [] } : each, wide, 64, chain[i + 1]),
+      ]),
+    ),
+  ];
+}
+
+function whereItIs(shape, shapes) {
+  const around = levels(shape, shapes).at(-1);
+  if (!around) return [];
+  return [new Text(" "), el("span", { class: "second" }, around.sheet ? "on the sheet" : "inside another shape")];
 }
 
 // Only if some lines close no shape: they are pale and dashed, beside the offered shapes.
@@ -143,8 +181,9 @@ export async function showShapes({ what, text, found, tolerance = 0, choose, all
               "data-index": list.childElementCount + i,
               onclick: () => open(shape),
             },
-            smallPicture(shape, 96, 64),
+            ...pictures(shape, found.shapes),
             ...inWords(shape),
+            ...whereItIs(shape, found.shapes),
           ),
         ),
       ),

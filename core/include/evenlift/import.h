@@ -43,6 +43,8 @@ struct ImportedShape {
   std::optional<double> tolerance;
   // Whether it is the sheet or border of a drawing rather than a part on it. Sheets come last.
   bool sheet = false;
+  // The smallest shape around it, in a hole or on the sheet, by its index among the import's shapes.
+  std::optional<std::size_t> within = {};
   std::size_t order = 0;  // its place in the text among the shapes, from 0
 };
 

@@ -552,6 +552,7 @@ void Gathering::nest_outlines() {
     const OutlineWithHoles& nested = nesting.shapes[i];
     sheets.push_back(std::move(import.shapes[nested.outline]));
     sheets.back().sheet = true;
+    sheets.back().within = nested.within;
     for (const std::size_t hole : nested.holes) {
       const Points& ring = import.shapes[hole].document.vertices;
       vertices_ += ring.size();
@@ -562,6 +563,7 @@ void Gathering::nest_outlines() {
   for (std::size_t i = 0; i + nesting.sheets < nesting.shapes.size(); ++i) {
     const OutlineWithHoles& nested = nesting.shapes[i];
     shapes.push_back(std::move(import.shapes[nested.outline]));
+    shapes.back().within = nested.within;
     for (const std::size_t hole : nested.holes) take_hole(shapes.back(), import.shapes[hole]);
   }
   for (ImportedShape& sheet : sheets) shapes.push_back(std::move(sheet));

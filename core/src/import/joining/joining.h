@@ -151,6 +151,8 @@ enum class Fill : std::uint8_t { none, nonzero, even_odd };
 struct OutlineWithHoles {
   std::size_t outline;
   std::vector<std::size_t> holes;
+  // Of nest(): the smallest shape or sheet around it, by its index among the shapes.
+  std::optional<std::size_t> within = std::nullopt;
 };
 
 // The shapes that a path of several rings fills, the largest first. A ring is a hole if the area

@@ -239,8 +239,17 @@ Nesting nest(const std::vector<ClosedOutline>& outlines) {
     shape[i] = nesting.shapes.size();
     nesting.shapes.push_back({kept[i].number, {}});
   }
+  // Sheets follow, the innermost first.
+  for (std::size_t i = 0; i < sheets.size(); ++i)
+    shape[i] = nesting.shapes.size() + sheets.size() - 1 - i;
+  const auto shape_around = [&](std::size_t i) -> std::optional<std::size_t> {
+    while (around[i] != none && shape[around[i]] == none) i = around[i];  // by holes
+    return around[i] == none ? std::nullopt : std::optional(shape[around[i]]);
+  };
+  for (std::size_t i = sheets.size(); i < kept.size(); ++i)
+    if (shape[i] != none) nesting.shapes[shape[i]].within = shape_around(i);
   for (std::size_t i = sheets.size(); i-- > 0;) {
-    OutlineWithHoles sheet{kept[i].number, {}};
+    OutlineWithHoles sheet{kept[i].number, {}, shape_around(i)};
     // Whoever chooses it all the same has a plate, except for a page that is painted.
     const bool is_page = outlines[sheet.outline].looks_like_sheet && kept[i].role != Role::line;
     for (std::size_t j = i + 1; j < kept.size(); ++j)
