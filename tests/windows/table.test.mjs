@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
 import {
+  asset,
   controlIfShown,
   drag,
   evenlift,
@@ -90,6 +91,39 @@ test("numbers that are none get a sentence and change nothing", async () => {
   await page.keyboard.press("Escape");
   await allClosed(page);
   assert.equal(await page.evaluate(() => document.activeElement.id), "canvas");
+});
+
+test("robots have names, which are typed and go with their robots", async () => {
+  await load(page, asset("grand-piano"));
+  await page.evaluate(() =>
+    evenlift.set({
+      supports: [
+        { at: [740, 40], capacity: 60, name: "north" },
+        [731, 420],
+        { at: [424, 965], name: 'the "west"' },
+        [0, 318],
+      ],
+    }),
+  );
+  const names = async () => (await state(page)).support_names;
+  assert.deepEqual(await names(), ["north", null, 'the "west"', null]);
+  const window = await openWindow(page, "table");
+  await window.getByRole("button", { name: "Robots" }).click();
+  const cell = (robot) => window.getByRole("textbox", { name: `Robot ${robot}, Name` });
+  assert.equal(await cell(3).inputValue(), 'the "west"');
+  await cell(2).fill("jack 2");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  assert.deepEqual(await names(), ["north", "jack 2", 'the "west"', null]);
+  await cell(2).fill("x".repeat(61));
+  await page.keyboard.press("Enter");
+  assert.match(await window.locator(".problem").textContent(), /a name of at most 60 characters/);
+  await page.keyboard.press("Escape");
+  await window.getByRole("button", { name: "Delete robot 1" }).click();
+  await idle(page);
+  assert.deepEqual(await names(), ["jack 2", 'the "west"', null]);
+  await page.evaluate(() => evenlift.set({ supports: '740,40:a 731,420 424,965:"b c"' }));
+  assert.deepEqual(await names(), ["a", null, "b c"]);
 });
 
 test("a refused polygon shows why, and the last good result stays", async () => {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "evenlift/output/markup.h"
 #include "evenlift/output/quantities.h"
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
@@ -350,11 +351,11 @@ void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const Tea
   const Robot& robot = placement.teams[0].robots[index];
   const Pick pick{Pick::Kind::robot, 0, static_cast<int>(index), robot.point.position};
   const std::string number = std::to_string(placement.number_of(index)), name = "Robot " + number;
-  const auto [low, high, pressed, hovered] =
-      pressable_row(ui, name.c_str(),
-                    say("Robot {robot}: at {place}, load {load} {unit}. Why here?",
-                        {number, words.at[index], load_text(ui, index), weight_unit(ui.state)}),
-                    c.ratio - c.left, row_height(ui));
+  const auto [low, high, pressed, hovered] = pressable_row(
+      ui, name.c_str(),
+      say("Robot {robot}: at {place}, load {load} {unit}. Why here?",
+          {placement.called(index), words.at[index], load_text(ui, index), weight_unit(ui.state)}),
+      c.ratio - c.left, row_height(ui));
   if (pressed) ui.push(Explain{pick});
   const Pick& over = ui.state.view.hover;
   const bool named = over.kind == pick.kind && over.end == pick.end && !over.second;
@@ -364,8 +365,11 @@ void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const Tea
                        7);
   const float y = (low.y + high.y) / 2;
   draw_team_numbers(ui, c.left, y, 20, number);
-  const ImVec2 size = text_size(Face::label, words.at[index]);
-  draw_text(list, Face::label, ImVec2(c.left + 32, y - size.y / 2), ui.theme.text, words.at[index]);
+  constexpr std::size_t most_characters = 20;
+  const std::string_view own = placement.name_of(index);
+  const std::string shown_name = own.empty() ? words.at[index] : shortened(own, most_characters);
+  const ImVec2 size = text_size(Face::label, shown_name);
+  draw_text(list, Face::label, ImVec2(c.left + 32, y - size.y / 2), ui.theme.text, shown_name);
   right_aligned(list, Face::strong_label, c.ratio, y,
                 is_overloaded(ui.state, index) ? ui.theme.amber : ui.theme.text,
                 load_text(ui, index));

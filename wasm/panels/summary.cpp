@@ -131,7 +131,7 @@ std::string robots_in_words(const Placement& placement) {
   if (placement.teams.empty()) return text;
   const TeamInWords team = team_in_words(placement, 0, place_decimals(placement));
   for (std::size_t i = 0; i < team.at.size(); ++i)
-    text += " " + say("Robot {robot} at {place}.", {placement.number_of(i), team.at[i]});
+    text += " " + say("Robot {robot} at {place}.", {placement.called(i), team.at[i]});
   return text;
 }
 

@@ -166,7 +166,7 @@ void explain_balanced(Explanation& explanation, const ShownPlacement& of, const 
   const Units& units = of.shown.units;
   const std::string load = with_weight_unit(words.loads[robot], units);
   if (!pick.second) explanation.robot = robot;
-  explanation.title = say("Robot {robot} of {robots}", {placement.number_of(robot), all});
+  explanation.title = say("Robot {robot} of {robots}", {placement.called(robot), all});
   explanation.rows.push_back({"It carries", part_of_weight(load, placement, units)});
   explanation.rows.push_back({"Each of the others", load});
   explanation.rows.push_back({"It stands at", words.at[robot]});
@@ -184,7 +184,7 @@ void explain_support(Explanation& explanation, const ShownPlacement& of, const P
   const Units& units = of.shown.units;
   if (!pick.second) explanation.robot = robot;
   explanation.title =
-      say("Robot {robot} of {robots}", {placement.number_of(robot), words.loads.size()});
+      say("Robot {robot} of {robots}", {placement.called(robot), words.loads.size()});
   if (placement.loads)
     explanation.rows.push_back(
         {"It carries",

@@ -9,9 +9,11 @@ import { idle } from "./work.js";
 const lists = ["com", "overlays", "heading"];
 // As the program reads them: "r=30,reach=5", "3,5:0.25-0.75", "0,0 160,0@30", "30,none", "8%".
 const texts = [
-  ...["robot", "no_go", "supports", "support_capacities", "cargo", "slope", "weight_doubt"],
+  ...["robot", "no_go", "support_capacities", "slope", "weight_doubt"],
   ...["readings", "reading_error", "level_error", "readings_tilted", "tilted", "heading"],
 ];
+// With names of any characters: "0,0:north 160,0@30:\"south west\"".
+const named = ["supports", "support_names", "cargo"];
 
 function word(value) {
   const other = typeof value === "object" || (typeof value === "string" && !/^[a-zA-Z]+$/.test(value));
@@ -28,14 +30,21 @@ function load({ at, weight, name = "" } = {}) {
   return `${written("com", at)}:${word(weight)}${name && `:${quoted(name)}`}`;
 }
 
+function support(given) {
+  if (Array.isArray(given) || typeof given !== "object" || given === null) return written("com", given);
+  const { at, capacity, name } = given;
+  return `${written("com", at)}${capacity == null ? "" : `@${word(capacity)}`}${name ? `:${quoted(name)}` : ""}`;
+}
+
 function written(name, value) {
   if (value === null) return name === "com" ? "centroid" : "none";
-  if (Array.isArray(value) && name === "supports") return value.map((at) => written("com", at)).join(" ") || "none";
+  if (Array.isArray(value) && name === "supports") return value.map(support).join(" ") || "none";
   if (Array.isArray(value) && name.startsWith("readings")) return value.map(word).join(" ") || "none";
   if (Array.isArray(value) && name === "support_capacities") return value.map((load) => word(load ?? "none")).join(",");
   if (Array.isArray(value) && name === "support_names") return value.map(quoted).join(" ") || "none";
   if (Array.isArray(value) && name === "cargo") return value.map(load).join(" ") || "none";
   if (Array.isArray(value) && lists.includes(name)) return value.map(word).join(",") || "none";
+  if (typeof value === "string" && named.includes(name) && /^[^\r\n]+$/.test(value)) return value;
   if (typeof value === "string" && texts.includes(name) && /^[\w=.,:+@% -]+$/.test(value)) return value;
   // JavaScript may have rounded a number this large.
   if (name === "seed" && typeof value === "number" && !Number.isSafeInteger(value)) return "rounded";
