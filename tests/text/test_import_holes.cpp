@@ -276,7 +276,7 @@ TEST_CASE("DXF: closed loops inside another are holes by their depth", "[import]
   CHECK(counts(dxf(plate + polyline(square(0, 20)))).size() == 2);
 }
 
-TEST_CASE("Esri JSON: a ring in another that runs the other way is its hole",
+TEST_CASE("Esri JSON: a ring in another is its hole, with a notice if it runs the same way",
           "[import][json][holes]") {
   const std::string outer = "[[0,0],[0,90],[90,90],[90,0],[0,0]]",
                     hole = "[[10,10],[70,10],[70,70],[10,70],[10,10]]",
@@ -289,7 +289,12 @@ TEST_CASE("Esri JSON: a ring in another that runs the other way is its hole",
   CHECK(shapes(outer + "," + hole) == Words{"4+1"});
   CHECK(shapes(hole + "," + other + "," + outer) == Words{"4+1", "3"});
   CHECK(shapes(outer + "," + hole + "," + island) == Words{"4+1", "3"});
-  CHECK(shapes(outer + "," + island) == Words{"4", "3"});
+  CHECK(shapes(outer + "," + island) == Words{"4+1"});
+  CHECK(
+      read("{\"rings\":[" + outer + "," + island + "]}").notes ==
+      Words{
+          "1 ring that runs the same way round as the ring around it was read as a hole, although "
+          "the file fills it"});
   CHECK(shapes(outer + "," + against) == Words{"4", "3"});
   // A hole that touches the outline stays one, and is refused by name.
   const Import import = read("{\"rings\":[" + outer + ",[[0,10],[70,10],[70,70],[10,70],[0,10]]]}");

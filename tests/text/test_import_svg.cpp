@@ -550,6 +550,43 @@ TEST_CASE("SVG: parts are named by the texts in them or beside them", "[import][
   CHECK(import.notes == std::vector<std::string>{"1 text was left out"});
 }
 
+TEST_CASE("SVG: a shape that a clip path or a mask cuts is named, since it is read whole",
+          "[import][svg]") {
+  const auto notes = [](const std::string& clip, const std::string& shape) {
+    return read("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 300 200'><defs>" + clip +
+                "</defs>" + shape + "</svg>")
+        .notes;
+  };
+  const std::string window = "<clipPath id='c'><rect width='100' height='50'/></clipPath>",
+                    cut = "1 shape is cut by a clip path or a mask, which is not applied: \"a\"";
+  using Notes = std::vector<std::string>;
+  CHECK(notes(window, "<rect id='a' width='200' height='40' clip-path='url(#c)'/>") == Notes{cut});
+  CHECK(notes(window,
+              "<g style='clip-path: url(\"#c\")'><rect id='a' width='20' height='60'/></g>") ==
+        Notes{cut});
+  CHECK(
+      notes(window,
+            "<rect id='a' width='90' height='50' clip-path='url(#c)' transform='translate(20 0)'/>")
+          .empty());
+  CHECK(notes("<mask id='m'><circle r='9'/></mask>",
+              "<rect id='a' width='9' height='9' mask='url(#m)'/>") == Notes{cut});
+  // Programs clip all to the page, and one clip path to another's rectangle.
+  CHECK(
+      notes(
+          window,
+          "<g clip-path='url(#c)'><rect width='100' height='50'/><circle cx='20' cy='20' r='5'/></g>")
+          .empty());
+  CHECK(notes("<rect id='r' width='300' height='200'/><clipPath id='c'><use href='#r'/></clipPath>",
+              "<rect width='300' height='200' clip-path='url(#c)'/>")
+            .empty());
+  CHECK(notes(window, "<rect width='200' height='40' clip-path='url(#none)'/>").empty());
+  CHECK(
+      notes(
+          window + "<clipPath id='d'><rect width='60' height='60'/></clipPath>",
+          "<g clip-path='url(#c)'><g clip-path='url(#d)'><rect id='a' width='80' height='40'/></g></g>") ==
+      Notes{cut});
+}
+
 TEST_CASE("SVG: rules for screens count, and the first that is not understood is named",
           "[import][svg]") {
   const auto svg = [](const std::string& style) {

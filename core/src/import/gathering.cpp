@@ -10,6 +10,7 @@
 #include "evenlift/wording.h"
 #include "formats/readers.h"
 #include "import/joining/joining.h"
+#include "import/projection/projection.h"
 #include "numbers/number_text.h"
 
 namespace evenlift {
@@ -26,7 +27,8 @@ bool can_be_degrees(const Box& box) {
 // Names the factor at the middle latitude.
 std::string degrees_note(std::string_view note, const Box& box) {
   const double latitude = (box.low.y + box.high.y) / 2;
-  const double shrinking = cosine(latitude * pi / 180);
+  const Vec2 degree = degree_at(latitude);
+  const double shrinking = degree.x / degree.y;
   if (std::abs(latitude) > low_latitude && shrinking > 1e-3)
     return say("{note}: at latitude {latitude} widths come out {factor} times too large",
                {note, short_number(latitude), short_number(1 / shrinking)});
@@ -282,19 +284,22 @@ void take_hole(ImportedShape& shape, ImportedShape& hole) {
 
 }  // namespace
 
+// A ring inside another of its path or polygon that runs the same way round changes nothing in the
+// picture: whoever drew it meant a hole.
+std::vector<OutlineWithHoles> Gathering::shapes_meant(const std::vector<const Points*>& rings,
+                                                      Fill fill) {
+  std::vector<OutlineWithHoles> shapes = filled_shapes(rings, fill);
+  if (fill != Fill::nonzero) return shapes;
+  std::vector<OutlineWithHoles> with_holes = filled_shapes(rings, Fill::even_odd);
+  if (with_holes.size() >= shapes.size()) return shapes;
+  same_way_ += shapes.size() - with_holes.size();
+  return with_holes;
+}
+
 void Gathering::add_filled(const DrawnShape& drawn, std::vector<Flattened> rings) {
   std::vector<const Points*> points;
   for (const Flattened& ring : rings) points.push_back(&ring.shape.document.vertices);
-  std::vector<OutlineWithHoles> shapes = filled_shapes(points, drawn.fill);
-  // A ring inside another of its path that runs the same way round changes nothing in the picture:
-  // whoever drew it meant a hole.
-  if (drawn.fill == Fill::nonzero)
-    if (auto with_holes = filled_shapes(points, Fill::even_odd);
-        with_holes.size() < shapes.size()) {
-      same_way_ += shapes.size() - with_holes.size();
-      shapes = std::move(with_holes);
-    }
-  for (const OutlineWithHoles& filled : shapes) {
+  for (const OutlineWithHoles& filled : shapes_meant(points, drawn.fill)) {
     Flattened& outline = rings[filled.outline];
     for (const std::size_t hole : filled.holes) take_hole(outline.shape, rings[hole].shape);
     import.shapes.push_back(std::move(outline.shape));
@@ -573,13 +578,6 @@ void Gathering::nest_outlines() {
                  ? "{count} rectangle around all else was read as the sheet, and comes last"
                  : "{count} rectangles around all else were read as sheets, and come last",
              {nesting.sheets}));
-  if (same_way_ > 0)
-    note(say(same_way_ == 1
-                 ? "{count} ring that runs the same way round as the ring around it in its "
-                   "path was read as a hole, although the file fills it"
-                 : "{count} rings that run the same way round as the rings around them in "
-                   "their paths were read as holes, although the file fills them",
-             {same_way_}));
   if (nesting.repeated > 0)
     note(say(nesting.repeated == 1 ? "{count} outline that repeats another was left out"
                                    : "{count} outlines that repeat another were left out",
@@ -713,6 +711,12 @@ Result<Import> Gathering::finish(InputError nothing) {
   for (std::size_t i = 0; i < import.shapes.size(); ++i) import.shapes[i].order = i;
   if (!drawn_.empty()) nest_outlines();
   if (!texts_.empty()) name_by_texts();
+  if (same_way_ > 0)
+    note(say(same_way_ == 1 ? "{count} ring that runs the same way round as the ring around it was "
+                              "read as a hole, although the file fills it"
+                            : "{count} rings that run the same way round as the rings around them "
+                              "were read as holes, although the file fills them",
+             {same_way_}));
   unite_holes();
   if (!left_out.empty())
     note(say(left_out.total() == 1 ? "{things} was left out" : "{things} were left out",

@@ -93,6 +93,8 @@ class Gathering final : public ShapeSink {
   // its block.
   std::size_t add_block(const std::string& name);
   std::size_t add_copy(std::size_t block);
+  // The shapes that the rings of a path or polygon bound, as whoever drew them meant them.
+  std::vector<OutlineWithHoles> shapes_meant(const std::vector<const Points*>& rings, Fill fill);
   bool full() const override { return full_.has_value(); }
   // If holes are left out later, there is in effect no limit.
   std::size_t most_holes() const override { return options_.holes ? max_holes : max_vertices; }

@@ -188,7 +188,7 @@ void JsonShapes::esri_rings(Index rings, std::string_view name) {
   static_assert(max_shapes == 10000, "the message names the number");
   std::vector<const Points*> each;
   for (const Points& ring : all) each.push_back(&ring);
-  for (const OutlineWithHoles& shape : filled_shapes(each, Fill::nonzero)) {
+  for (const OutlineWithHoles& shape : gathering_.shapes_meant(each, Fill::nonzero)) {
     Document document;
     document.vertices = std::move(all[shape.outline]);
     for (const std::size_t hole : shape.holes) document.holes.push_back(std::move(all[hole]));

@@ -13,7 +13,12 @@ constexpr double half_axis = 6378137;
 constexpr double flattening = 1 / 298.257223563;
 constexpr double eccentricity_squared = flattening * (2 - flattening);
 
-// In metres along x (longitude) and y (latitude).
+double with_four_decimals(double value) { return std::floor(value * 10000 + 0.5) / 10000; }
+
+InputError refused(const char* why) { return {ErrorCode::bad_coordinate, why, {}}; }
+
+}  // namespace
+
 Vec2 degree_at(double latitude) {
   const double angle = latitude * (pi / 180);
   const double height = sine(angle);
@@ -22,12 +27,6 @@ Vec2 degree_at(double latitude) {
   const double along = across * (1 - eccentricity_squared) / square;  // of the meridian
   return Vec2(across * cosine(angle), along) * (pi / 180);
 }
-
-double with_four_decimals(double value) { return std::floor(value * 10000 + 0.5) / 10000; }
-
-InputError refused(const char* why) { return {ErrorCode::bad_coordinate, why, {}}; }
-
-}  // namespace
 
 Projection::Projection(const Vec2& origin, const Box& box)
     : origin_(origin), scale_(degree_at(origin.y)) {

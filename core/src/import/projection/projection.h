@@ -10,6 +10,9 @@ namespace evenlift {
 // The greatest latitude, in degrees. Nearer to a pole, widths vary too much with the latitude.
 inline constexpr double greatest_latitude = 85;
 
+// A degree of longitude (x) and of latitude (y) at a latitude in degrees, in metres on the ellipsoid. O(1).
+Vec2 degree_at(double latitude);
+
 // The relative error of a length, compared with the geodesic, is at most the error of a width (from
 // west to east) at the latitude farthest from the origin. If the places lie in a square with a side
 // of 1 km about the origin, this error is 0.005 % at latitude 30, 0.014 % at 60 and 0.05 % at 80;

@@ -158,10 +158,24 @@ Fill SvgReader::fill_of(const Context& context) {
   return context.look.nonzero ? Fill::nonzero : Fill::even_odd;
 }
 
+// Clip paths and masks are not applied.
+void SvgReader::note_cut(const Outline& image, const Context& context, const std::string& called) {
+  const Box box = control_box(image);
+  const double near = 1e-3 * larger_side(box);
+  const auto& window = context.window;
+  const bool is_in_window =
+      !window || (box.low.x >= window->low.x - near && box.low.y >= window->low.y - near &&
+                  box.high.x <= window->high.x + near && box.high.y <= window->high.y + near);
+  if (is_in_window && !context.is_cut) return;
+  if (++cut_ == 1) first_cut_ = called;
+}
+
 void SvgReader::add(const Outline& outline, const Context& context, const std::string& called,
                     const char* kind) {
+  Outline image = placed(outline, context);
+  note_cut(image, context, called);
   gathering_.add(
-      {{placed(outline, context)}, called, kind, fill_of(context), context.look.is_white_page()});
+      {{std::move(image)}, called, kind, fill_of(context), context.look.is_white_page()});
 }
 
 void SvgReader::add_open(const Outline& outline, const Context& context) {
@@ -184,6 +198,7 @@ void SvgReader::path(const pugi::xml_node& node, const Context& context,
     else if (closed || !outline.pieces.empty())  // otherwise a move alone
       drawn.parts.push_back(placed(outline, context));
   }
+  if (!drawn.parts.empty()) note_cut(drawn.parts.front(), context, called);
   gathering_.add(drawn);
 }
 
@@ -388,7 +403,7 @@ void SvgReader::start_again() {
   gathering_ = Gathering(options_);
   pieces_.clear();
   hidden_names_.clear();
-  piece_points_ = copied_bytes_ = hidden_ = unpainted_ = hairs_ = 0;
+  piece_points_ = copied_bytes_ = hidden_ = unpainted_ = hairs_ = cut_ = 0;
   has_problem_ = has_texts_ = false;
   filled_ = {};
 }
@@ -407,6 +422,19 @@ void SvgReader::say_what_is_unseen() {
                     many = named ? say("hidden elements ({names})", {names}) : "hidden elements";
   for (std::size_t i = 0; i < hidden_; ++i) left_out.add(one, many);
   for (std::size_t i = 0; i < hairs_; ++i) left_out.add("loop of a hair", "loops of a hair");
+  if (cut_ > 0) {
+    const std::string name = first_cut_.empty() ? std::string() : in_quotes(clean_name(first_cut_));
+    const bool one = cut_ == 1;
+    gathering_.note(
+        name.empty()
+            ? say(one ? "{count} shape is cut by a clip path or a mask, which is not applied"
+                      : "{count} shapes are cut by clip paths or masks, which are not applied",
+                  {cut_})
+            : say(one ? "{count} shape is cut by a clip path or a mask, which is not applied: {name}"
+                      : "{count} shapes are cut by clip paths or masks, which are not applied, the "
+                        "first of them {name}",
+                  {cut_, name}));
+  }
   if (!styles_.skipped().empty())
     gathering_.note(say("the style of {selector} was left out: it is not understood",
                         {in_quotes(clean_name(styles_.skipped()))}));

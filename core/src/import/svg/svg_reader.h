@@ -136,6 +136,8 @@ enum class SvgProperty : std::uint8_t {
   width,
   height,
   d,
+  clip_path,
+  mask,
   count
 };
 inline constexpr auto svg_property_count = static_cast<std::size_t>(SvgProperty::count);
@@ -281,6 +283,9 @@ class SvgReader {
     SvgLook look;
     SvgDeclared declared = {};  // for the element itself, if it is drawn
     bool in_copy = false;
+    // What clip paths leave, if they are rectangles; `is_cut` if another one, or a mask, cuts.
+    std::optional<Box> window = {};
+    bool is_cut = false;
   };
   // The greatest number of bytes in all copies together. Without a limit, copies of copies could
   // multiply almost without end. An element counts as 64 bytes, plus its attributes' values.
@@ -326,6 +331,9 @@ class SvgReader {
                                    Context& inside, int depth);
   bool enter(const pugi::xml_node& node, std::string_view name, Context& inside);
   bool transform(const pugi::xml_node& node, const SvgDeclared& declared, Context& inside);
+  void take_cuts(const SvgDeclared& declared, Context& inside);
+  std::optional<Box> window_of(std::string_view reference, const Context& inside);
+  pugi::xml_node node_of(std::string_view id);
   void take_text(const pugi::xml_node& node, const SvgDeclared& declared, const Context& inside);
   bool leaves_out(const pugi::xml_node& node, std::string_view name, const Context& inside);
   void hide(const pugi::xml_node& node, const Context& context);
@@ -355,6 +363,7 @@ class SvgReader {
   void add_open(const Outline& outline, const Context& context);
   static Fill fill_of(const Context& context);
   Outline placed(const Outline& outline, const Context& context);
+  void note_cut(const Outline& image, const Context& context, const std::string& called);
 
   std::string_view text_;
   ImportOptions options_;
@@ -370,7 +379,8 @@ class SvgReader {
   std::size_t piece_points_ = 0;
   std::vector<pugi::xml_node> open_;  // the elements around the current one
   std::size_t copied_bytes_ = 0;
-  std::size_t hidden_ = 0, unpainted_ = 0, hairs_ = 0;
+  std::size_t hidden_ = 0, unpainted_ = 0, hairs_ = 0, cut_ = 0;
+  std::string first_cut_;  // its name
   std::vector<std::string> hidden_names_;
   FilledPath filled_;  // the preceding shape, if it was such a path
   bool takes_unpainted_ = false, has_problem_ = false, has_texts_ = false;

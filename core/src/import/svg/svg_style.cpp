@@ -41,7 +41,9 @@ constexpr NamedProperty properties[] = {{"display", SvgProperty::display, true},
                                         {"ry", SvgProperty::ry, true},
                                         {"width", SvgProperty::width, true},
                                         {"height", SvgProperty::height, true},
-                                        {"d", SvgProperty::d, true}};
+                                        {"d", SvgProperty::d, true},
+                                        {"clip-path", SvgProperty::clip_path, true},
+                                        {"mask", SvgProperty::mask, true}};
 static_assert(std::size(properties) == svg_property_count);
 
 const NamedProperty* property_named(std::string_view name) {

@@ -275,6 +275,62 @@ bool SvgReader::transform(const pugi::xml_node& node, const SvgDeclared& declare
   return true;
 }
 
+namespace {
+
+Box common(const Box& a, const Box& b) {
+  return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
+          {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}};
+}
+
+// The id of "url(#id)"; empty for other values.
+std::string_view referenced(std::string_view value) {
+  value = svg_trimmed(value);
+  if (!value.starts_with("url(") || !value.ends_with(")")) return {};
+  value = svg_trimmed(value.substr(4, value.size() - 5));
+  while (!value.empty() && (value.front() == '"' || value.front() == '\'')) value.remove_prefix(1);
+  while (!value.empty() && (value.back() == '"' || value.back() == '\'')) value.remove_suffix(1);
+  return value.starts_with("#") ? value.substr(1) : std::string_view();
+}
+
+}  // namespace
+
+// The rectangle that a clip path leaves, in the import's coordinates; nothing if it has another form.
+std::optional<Box> SvgReader::window_of(std::string_view id, const Context& inside) {
+  const pugi::xml_node clip = node_of(id);
+  const Affine& m = inside.matrix;
+  const bool keeps_axes = (m.b == 0 && m.c == 0) || (m.a == 0 && m.d == 0);
+  if (!clip || !keeps_axes || clip.attribute("transform") ||
+      value_of(clip, "clipPathUnits") == "objectBoundingBox")
+    return std::nullopt;
+  pugi::xml_node only;
+  for (const pugi::xml_node child : clip.children()) {
+    if (child.type() != pugi::node_element) continue;
+    if (only) return std::nullopt;
+    only = child;
+  }
+  if (local_name(only) == "use" && !only.attribute("transform") && !only.attribute("x") &&
+      !only.attribute("y"))
+    if (const auto original = id_of_original(only)) only = node_of(*original);
+  if (local_name(only) != "rect" || only.attribute("transform")) return std::nullopt;
+  const auto side = [&](const char* name) {
+    const std::string_view text = value_of(only, name);
+    return text.empty() ? std::optional(0.0) : read_number(text);
+  };
+  const auto x = side("x"), y = side("y"), width = side("width"), height = side("height");
+  if (!x || !y || !width || !height) return std::nullopt;
+  return bounding_box({m({*x, *y}), m({*x + *width, *y + *height})});
+}
+
+void SvgReader::take_cuts(const SvgDeclared& declared, Context& inside) {
+  for (const SvgProperty property : {SvgProperty::clip_path, SvgProperty::mask}) {
+    const std::string_view id = referenced(declared[property]);
+    if (id.empty() || !node_of(id)) continue;  // one that is not there cuts nothing
+    const auto window = property == SvgProperty::clip_path ? window_of(id, inside) : std::nullopt;
+    inside.is_cut = inside.is_cut || !window;
+    if (window) inside.window = inside.window ? common(*inside.window, *window) : *window;
+  }
+}
+
 // Returns false if the element is left out.
 bool SvgReader::enter(const pugi::xml_node& node, std::string_view name, Context& inside) {
   const SvgDeclared declared = styles_.of(node);
@@ -286,6 +342,7 @@ bool SvgReader::enter(const pugi::xml_node& node, std::string_view name, Context
   inside.look = inherited(inside.look, declared);
   if (name == "text" && inside.look.visible) take_text(node, declared, inside);
   if (leaves_out(node, name, inside) || !transform(node, declared, inside)) return false;
+  take_cuts(declared, inside);
   if (!is_one_of(name, drawn)) return true;
   if (!inside.look.visible) {
     hide(node, inside);
@@ -365,16 +422,21 @@ pugi::xml_node SvgReader::original_of(const pugi::xml_node& node) {
     gathering_.left_out.add("copy (<use>) from another file", "copies (<use>) from other files");
     return {};
   }
-  if (!has_ids_) index_ids();
-  const auto found = std::lower_bound(
-      by_id_.begin(), by_id_.end(), *id,
-      [](const auto& entry, std::string_view wanted) { return entry.first < wanted; });
-  if (id->empty() || found == by_id_.end() || found->first != *id) {
+  const pugi::xml_node original = node_of(*id);
+  if (!original)
     gathering_.left_out.add("copy (<use>) without an original",
                             "copies (<use>) without an original");
-    return {};
-  }
-  return found->second;
+  return original;
+}
+
+// The element with this id; a null node if there is none.
+pugi::xml_node SvgReader::node_of(std::string_view id) {
+  if (!has_ids_) index_ids();
+  const auto found = std::lower_bound(
+      by_id_.begin(), by_id_.end(), id,
+      [](const auto& entry, std::string_view wanted) { return entry.first < wanted; });
+  return id.empty() || found == by_id_.end() || found->first != id ? pugi::xml_node()
+                                                                   : found->second;
 }
 
 void SvgReader::index_ids() {
