@@ -4,7 +4,7 @@
 //   evenlift_soak KIND NUMBER          one case
 //
 // Kinds: `oracle` compares the core with the exact oracle; `one-shape` compares a shape with copies
-// turned, mirrored, moved and scaled; `bounds` answers requests of any size within their bounds of
+// turned, mirrored, moved and scaled; `files` reads drawings and tables of random form; `bounds` answers requests of any size within their bounds of
 // time. Prints each failure with the command that repeats it, and at
 // the end one line: the numbers of cases tried, skipped and failed.
 #include <chrono>
@@ -22,6 +22,7 @@
 #include "kit/metrics.h"
 #include "shapes/holed_polygons.h"
 #include "shapes/problem_document.h"
+#include "shapes/random_files.h"
 #include "shapes/small_polygons.h"
 #include "soak/bounds.h"
 
@@ -65,6 +66,10 @@ Outcome try_one_shape(std::uint64_t number) {
   return {.differences = c.name + "\n" + one_shape::text(document, motion) + "\n" + differences};
 }
 
+Outcome try_files(std::uint64_t number) {
+  return {.differences = random_files::compare(random_files::make_file(number))};
+}
+
 Outcome try_bounds(std::uint64_t number) {
   const bounds::Outcome outcome = bounds::answer(bounds::make_case(number));
   return {outcome.wrong, outcome.refused};
@@ -74,8 +79,10 @@ struct Kind {
   std::string_view name;
   Outcome (*attempt)(std::uint64_t number);
 };
-constexpr Kind kinds[] = {
-    {"oracle", try_oracle}, {"one-shape", try_one_shape}, {"bounds", try_bounds}};
+constexpr Kind kinds[] = {{"oracle", try_oracle},
+                          {"one-shape", try_one_shape},
+                          {"files", try_files},
+                          {"bounds", try_bounds}};
 
 struct Totals {
   std::uint64_t tried = 0, passed_over = 0, failed = 0;

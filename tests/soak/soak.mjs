@@ -104,6 +104,7 @@ const fuzz = (name) => async (seconds, seed) => {
 const comparisons = [
   { part: 4, search: searchOf("oracle") },
   { part: 4, search: searchOf("one-shape") },
+  { part: 4, search: searchOf("files") },
   { part: 4, search: searchPlacements },
 ];
 // Their time is measured, so they are not among those that a busy machine runs.
