@@ -9,12 +9,13 @@
 #include "evenlift/supports.h"
 #include "evenlift/wording.h"
 #include "input/command_line.h"
+#include "input/typed_units.h"
 
 namespace evenlift::native {
-namespace {
 
-// "min_ratio" is typed --min-ratio.
 std::string as_typed(std::string_view setting) { return "--" + hyphened(setting); }
+
+namespace {
 
 // Why a setting has no effect with the others, or empty.
 std::string why_unused(const SettingRow& row, const Settings& settings) {
@@ -70,7 +71,9 @@ void take_readings(const SupportFile& read, const std::string& file, Document& d
 
 // Returns the lines of the robots if the text named a file. If `weigh` is set, takes its readings.
 std::vector<std::size_t> supports_option(const std::string& text, Document& document, bool weigh) {
-  if (!read_setting(Setting::supports, text, document)) return {};
+  if (!read_setting(Setting::supports, in_own_units(Setting::supports, text, document.shown.units),
+                    document))
+    return {};
   const std::optional<std::string> file = read_file(text);
   if (!file && text.find(',') == std::string::npos)
     throw Failure{bad_input_status, "--supports",
@@ -136,18 +139,20 @@ unsigned jobs_option(const std::optional<std::string>& text) {
   return static_cast<unsigned>(*jobs);
 }
 
-void setting_option(Setting setting, const std::string& text, Document& document) {
+void setting_option(Setting setting, const std::string& typed, Document& document) {
+  const std::string text = in_own_units(setting, typed, document.shown.units);
   if (const auto error = read_setting(setting, text, document)) {
     const std::string option = as_typed(name(setting));
     // For a list, the error quotes the invalid part.
     if (error->message != requirement(setting))
       throw Failure{bad_input_status, option, error->message};
-    throw bad_value(option, error->message, text);
+    throw bad_value(option, error->message, typed);
   }
 }
 
 void add_cargo(const std::string& text, Document& document, bool y_down) {
   Document more;
+  more.shown.units = document.shown.units;
   setting_option(Setting::cargo, text, more);
   if (y_down)
     for (Cargo& item : more.settings.cargo) item.at.y = 0 - item.at.y;
@@ -175,9 +180,17 @@ void SettingOptions::declare(CommandLine& line, OptionGroup group) {
 }
 
 std::vector<std::size_t> SettingOptions::apply(Document& document) const {
-  for (const SettingRow& row : all_settings())
-    if (typed(row.setting) && row.setting != Setting::supports && row.setting != Setting::cargo)
-      setting_option(row.setting, *typed(row.setting), document);
+  // Typed numbers may have units, which become the document's.
+  constexpr Setting early[] = {Setting::unit, Setting::weight_unit},
+                    late[] = {Setting::supports, Setting::cargo};
+  const auto is_among = [](const auto& list, Setting setting) {
+    return std::find(std::begin(list), std::end(list), setting) != std::end(list);
+  };
+  for (const bool first : {true, false})
+    for (const SettingRow& row : all_settings())
+      if (typed(row.setting) && !is_among(late, row.setting) &&
+          is_among(early, row.setting) == first)
+        setting_option(row.setting, *typed(row.setting), document);
   if (const Typed& cargo = typed(Setting::cargo)) add_cargo(*cargo, document, y_down);
   // The file of supports may need the unit. Supports set the method; another is refused below.
   const Method method = document.settings.method;

@@ -22,6 +22,9 @@ std::uint64_t whole_option(const std::string& option, const std::string& text,
 // from 1 to 1024.
 unsigned jobs_option(const std::optional<std::string>& text);
 
+// The option of a setting: "min_ratio" is typed --min-ratio.
+std::string as_typed(std::string_view setting);
+
 // setting_option() reads a setting into the document. loads_option() returns the load model, which
 // is not part of a document. Both throw Failure with the option's name if the text is invalid.
 void setting_option(Setting setting, const std::string& text, Document& document);

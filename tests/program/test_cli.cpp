@@ -319,6 +319,30 @@ TEST_CASE("places on an SVG are read with y upward, or with --y-down as in the f
   CHECK(run(folder, place + "--cargo 400,300:38").errors.ends_with(load));
 }
 
+TEST_CASE("typed lengths and weights may have units", "[cli][slow]") {
+  const Folder folder("units");
+  corpus::write_file(folder.path() / "square.txt", square);
+  const auto json = [&](const std::string& options) {
+    return run(folder, "evenlift place square.txt --json " + options).output;
+  };
+  const std::pair<const char*, const char*> pairs[] = {
+      {"--weight '30 lb'", "--weight 13.6077711"},
+      {"--weight-unit lb --weight 30kg", "--weight-unit lb --weight 66.1386787"},
+      {"--weight 1e3kg", "--weight 1000"},
+      {"--capacity 40lb --extra 2t", "--capacity 18.1436948 --extra 2000"},
+      {"--unit mm --com-height 0.6m --slope 8deg", "--unit mm --com-height 600 --slope 8deg"},
+      {"--unit cm --com 20mm,1.5 --robot r=1mm,gap=2", "--unit cm --com 2,1.5 --robot r=0.1,gap=2"},
+      {"--unit mm --cargo '3,0.2cm:5lb:\"3 kg\"'", "--unit mm --cargo '3,2:2.26796185:\"3 kg\"'"},
+      {"--supports '0,0@40lb:5kg 4,0:a 2,4'", "--supports '0,0@18.1436948:5kg 4,0:a 2,4'"},
+      {"--supports '0,0 4,0 2,4' --readings '30kg 20 20lb'",
+       "--supports '0,0 4,0 2,4' --readings '30 20 9.0718474'"}};
+  for (const auto& [with_units, without] : pairs) {
+    INFO(with_units);
+    CHECK_FALSE(json(without).empty());
+    CHECK(json(with_units) == json(without));
+  }
+}
+
 TEST_CASE("the option --shape all places every shape, whatever becomes of the others",
           "[cli][slow]") {
   const Folder folder("all-shapes");

@@ -71,10 +71,11 @@ void shuffle(Rng& rng, std::vector<Value>& values) {
   for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[rng.below(i)]);
 }
 
-// From beside the plates to somewhere among them, at places that are on no edge.
-Points open_line(Rng& rng) {
-  Points points{{3.3, 5.1 + static_cast<double>(rng.below(9))}};
-  const std::size_t count = 1 + rng.below(3);
+// From beside the plates to somewhere among them. Two segments cannot enclose anything, even if the end
+// comes to lie on a line by chance, nor can lines that begin at different places.
+Points open_line(Rng& rng, std::size_t number) {
+  Points points{{3.3, 5.1 + 7 * static_cast<double>(number)}};
+  const std::size_t count = 1 + rng.below(2);
   for (std::size_t i = 0; i < count; ++i) {
     const double x = 15.37 + 440 * rng.uniform(), y = 15.61 + 110 * rng.uniform();
     points.emplace_back(x, y);
@@ -110,7 +111,7 @@ File svg(Rng& rng, Nested nested) {
   std::vector<std::string> elements;
   for (const Points& ring : nested.rings) elements.push_back(path_of(ring, true));
   const std::size_t open = rng.below(3);
-  for (std::size_t i = 0; i < open; ++i) elements.push_back(path_of(open_line(rng), false));
+  for (std::size_t i = 0; i < open; ++i) elements.push_back(path_of(open_line(rng, i), false));
   shuffle(rng, elements);
   if (rng.below(2) == 0)
     elements.insert(elements.begin(), "<rect width='500' height='140' fill='white'/>");
@@ -178,7 +179,7 @@ File dxf(Rng& rng, Nested nested) {
   }
   const std::size_t open = rng.below(3);
   for (std::size_t k = 0; k < open; ++k) {
-    const Points line = open_line(rng);
+    const Points line = open_line(rng, k);
     for (std::size_t i = 1; i < line.size(); ++i)
       entities.push_back(line_in_dxf(line[i - 1], line[i], page.bytes));
   }
