@@ -6,6 +6,7 @@
 #include "evenlift/output/requirements.h"
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/verdict.h"
+#include "evenlift/placed_robots.h"
 #include "evenlift/placement.h"
 #include "evenlift/supports.h"
 #include "evenlift/tolerance.h"
@@ -205,6 +206,48 @@ TEST_CASE("searches keep the accuracy that is asked for", "[accuracy][slow]") {
         if (all[Promise::hold]) CHECK(*all[Promise::hold] >= accuracy - near);
       }
   CHECK(reached > 8);
+}
+
+TEST_CASE("a hold that is reached allows the accuracy that is asked for", "[accuracy]") {
+  std::size_t reached = 0;
+  for (const char* name :
+       {"arrow", "l-shaped-desk", "oval-table", "stone-slab", "grand-piano", "cross"})
+    for (const Method method : {Method::balanced, Method::area})
+      for (const double part : {0.01, 0.03}) {
+        Document document = corpus::polygon(name);
+        document.settings.method = method;
+        document.settings.robots = document.settings.teams.emplace(5);
+        document.settings.goal = Goal::hold;
+        document.settings.accuracy = part * bounding_box(document.vertices).diagonal();
+        const Result<Placement> placement = place(document);
+        if (!placement || !placement->goal_reached) continue;
+        INFO(name << ", " << evenlift::name(method) << ", " << part);
+        ++reached;
+        CHECK(placement->closure.clearance.tolerance >= *document.settings.accuracy * (1 - 1e-9));
+      }
+  CHECK(reached >= 8);
+}
+
+TEST_CASE("the bodies of teams never collide, by any metric", "[placement][stands]") {
+  std::size_t pairs = 0;
+  for (const char* name :
+       {"arrow", "l-shaped-desk", "oval-table", "stone-slab", "letter-e", "cross", "grand-piano"})
+    for (const Method method : {Method::area, Method::circle, Method::distance}) {
+      Document document = corpus::polygon(name);
+      const double size = bounding_box(document.vertices).diagonal();
+      document.settings.method = method;
+      document.settings.teams = 8;
+      document.settings.min_ratio = 0.6;
+      document.settings.robot = {.radius = 0.04 * size, .reach = 0.01 * size, .gap = 0.01 * size};
+      const Result<Placement> placement = place(document);
+      if (!placement) continue;
+      const std::vector<PlacedRobot> robots = placed_robots(*placement);
+      INFO(name << ", " << evenlift::name(method));
+      for (std::size_t i = 0; i < robots.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j, ++pairs)
+          CHECK(length(robots[i].stand - robots[j].stand) >= (2 * 0.04 + 0.01) * size * (1 - 1e-9));
+    }
+  CHECK(pairs > 300);
 }
 
 TEST_CASE("an accuracy that leaves no room is refused", "[accuracy][errors]") {

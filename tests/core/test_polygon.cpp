@@ -1,6 +1,7 @@
 // Every Polygon, however small or thin.
 #include "evenlift/polygon.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -13,6 +14,7 @@
 #include "oracle/oracle.h"
 #include "oracle/rational.h"
 #include "oracle/vec.h"
+#include "polygon/corners.h"
 
 using namespace evenlift;
 
@@ -191,5 +193,40 @@ TEST_CASE("the diameter is that of the farthest corners, of sides that are nearl
     const Points hull = convex_hull({{0, 0}, {side * 0.1, 0.4}, {side * 0.1, 0.5}, {0, 0.1}});
     REQUIRE(hull.size() == 4);
     CHECK(diameter(hull) == Approx(std::sqrt(0.26)).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("an outline's direction does not depend on where it begins", "[polygon]") {
+  // With straight vertices on each side.
+  const Points around = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+  for (std::size_t first = 0; first < around.size(); ++first) {
+    Points ring = around;
+    std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(first), ring.end());
+    INFO("from vertex " << first);
+    CHECK(Polygon::create(ring)->counter_clockwise());
+    std::reverse(ring.begin(), ring.end());
+    CHECK_FALSE(Polygon::create(ring)->counter_clockwise());
+  }
+}
+
+TEST_CASE("the distance to a corner goes along the outline, in either direction",
+          "[polygon][corners]") {
+  // A square whose lower side is an arc of many short edges, which are no corners.
+  Points ring = {{10, 0}, {10, 10}, {0, 10}, {0, 0}};
+  constexpr int edges = 40;
+  for (int i = 1; i < edges; ++i) {
+    const double x = 10.0 * i / edges;
+    ring.emplace_back(x, -0.04 * x * (10 - x));
+  }
+  const Polygon polygon = *Polygon::create(ring);
+  const Corners corners(polygon);
+  std::vector<double> way = {0};  // along the arc from (0, 0)
+  for (std::size_t i = 3; i < ring.size(); ++i)
+    way.push_back(way.back() + length(ring[(i + 1) % ring.size()] - ring[i]));
+  for (std::size_t i = 3; i < ring.size(); ++i) {
+    const Vec2 middle = (ring[i] + ring[(i + 1) % ring.size()]) / 2;
+    const double from = (way[i - 3] + way[i - 2]) / 2;
+    CHECK(corners.distance_to(middle, static_cast<std::uint32_t>(i)) ==
+          Approx(std::min(from, way.back() - from)).epsilon(1e-12));
   }
 }

@@ -299,6 +299,9 @@ TEST_CASE("what the snap distance does is told", "[supports]") {
   CHECK(notes({{50, 0.02}, {50, 0.13}}) ==
         std::vector<std::string>{
             "robot 1 is beneath the object, 0.02 from the edge; --snap 0.02 puts it at the edge"});
+  CHECK(notes({{50, 0.13}, {50, 0.02}, {50, 0.1}}) ==
+        std::vector<std::string>{
+            "robot 2 is beneath the object, 0.02 from the edge; --snap 0.02 puts it at the edge"});
 }
 
 TEST_CASE("robots beneath touch nothing sideways", "[supports]") {

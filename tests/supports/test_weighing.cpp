@@ -14,9 +14,11 @@
 #include "evenlift/output/json.h"
 #include "evenlift/output/requirements.h"
 #include "evenlift/output/weighing_words.h"
+#include "evenlift/placed_robots.h"
 #include "evenlift/random.h"
 #include "evenlift/request.h"
 #include "evenlift/settings.h"
+#include "evenlift/tilt.h"
 #include "kit/catch.h"
 #include "kit/json.h"
 #include "kit/placed.h"
@@ -285,6 +287,17 @@ TEST_CASE("what readings tell takes the place of the weight, C and its uncertain
   own.settings.method = Method::area;
   CHECK(placed(own).centre_of_mass == again.centre_of_mass);
 
+  // So it is after an edit with which the readings no longer apply.
+  Document fewer = document;
+  fewer.settings.supports.pop_back();
+  const auto settled = settled_after_edit(fewer, document, *placement.weighing);
+  REQUIRE(settled);
+  CHECK(settled->settings.weighed == Weighed{});
+  CHECK(settled->settings.weight == own.settings.weight);
+  CHECK(settled->shown.carrying.weight_doubt > 0);
+  CHECK(settled->shown.carrying == taken_over(document, *placement.weighing).shown.carrying);
+  CHECK(settled->shown.com_radius == taken_over(document, *placement.weighing).shown.com_radius);
+
   // Evened-out supports have no readings yet.
   document.settings.cargo.clear();
   const auto even = with_even_supports(document);
@@ -449,7 +462,17 @@ TEST_CASE("the cases of loading are the given conditions, alone and at once, and
   document.settings.method = Method::given;
   document.settings.supports = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 0}, {2, 4}};
   const Placement placement = placed(document);
-  CHECK(load_cases({placement, document.shown}).size() == 1 + 6);
+  const std::vector<LoadCase> still = load_cases({placement, document.shown});
+  REQUIRE(still.size() == 1 + 6);
+  for (std::size_t failed = 0; failed < 6; ++failed) {
+    auto left = *ranges_without(placement, failed, {});
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(failed));
+    const auto [least, greatest] = std::minmax_element(
+        left.begin(), left.end(), [](const auto& a, const auto& b) { return a.least < b.least; });
+    if (!still[1 + failed].stays) continue;
+    CHECK(*still[1 + failed].least == Approx(least->least).margin(1e-12));
+    CHECK(*still[1 + failed].greatest == Approx(greatest->least));
+  }
   document.shown.com_radius = 0.2;
   document.shown.capacity = 40;
   document.shown.carrying = {.com_height = 1, .slope = 0.1};

@@ -457,6 +457,24 @@ TEST_CASE("GeoJSON features may follow each other", "[import][geojson]") {
   CHECK(evenlift::testing::read(feature("a", 9)).shapes.size() == 1);
 }
 
+TEST_CASE("what is told about rings counts all of them", "[import][wkt]") {
+  const auto notes = [](const std::string& text) { return evenlift::testing::read(text).notes; };
+  using Notes = std::vector<std::string>;
+  CHECK(
+      notes(
+          "MULTIPOLYGON(((0 0,9 0,9 0,9 9,0 0),(7 1,8 1,8 1,8 2,7 1)),((20 0,29 0,29 9,20 0)))") ==
+      Notes{"2 vertices at the place of the one before them were left out"});
+  // Degrees in one of several reference systems.
+  const std::string in_degrees = "SRID=4326;POLYGON((10 60,10.002 60,10.002 60.001,10 60))",
+                    in_metres = "SRID=25832;POLYGON((0 0,30 0,30 20.5,0 0))";
+  for (const std::string& text : {in_degrees + "\n" + in_metres, in_metres + "\n" + in_degrees}) {
+    const Notes all = notes(text);
+    CHECK(std::any_of(all.begin(), all.end(), [](const std::string& each) {
+      return each.find("degrees") != std::string::npos;
+    }));
+  }
+}
+
 TEST_CASE("tables of supports name their columns as outlines do", "[import][supports]") {
   for (const char* heading :
        {"Easting,Northing", "Position X,Position Y", "X-Coordinate,Y-Coordinate"}) {

@@ -328,6 +328,8 @@ TEST_CASE("an error has the path of the member at fault, from 0, and a sentence 
        {"com", "\"com\" is another name of \"centre_of_mass\": give one of them"}},
       {R"({"command": "experiment", "polygons": [{"text": "x"}, {"polygon": [[0, 0], 3]}]})",
        {"polygons[1].polygon[1]", "polygons[1].polygon[1]: a point must be two numbers [x, y]"}},
+      {with(R"("flatten": 0)"), {"flatten", "flatten: this length must be a number above 0"}},
+      {with(R"("join": -1)"), {"join", "join: this length must be a number above 0"}},
       {with(R"("weight": 1e999)"), {"weight", "weight: this number is too large"}},
       {R"({"text": "\ud800"})", {"text", "text: this text has half a character"}}};
   for (const auto& [request, expected] : faults) {
@@ -406,6 +408,14 @@ TEST_CASE("parts are all shapes of a file, each with robots of its own", "[reque
                 .size() == 6);
   }
   SECTION("and a weight by area is also for a single polygon, whose unit may differ") {
+    // 8 mm of a material of 7,850 kg a cubic metre weigh 62.8 kg a square metre.
+    const double of_material =
+        answer_json(with(R"("thickness": "8", "density": "7850/m3", "unit": "mm")"))["weight"]
+            .number();
+    CHECK(
+        of_material ==
+        Approx(
+            answer_json(with(R"("weight_per_area": "62.8/m2", "unit": "mm")"))["weight"].number()));
     CHECK(answer_json(with(R"("weight_per_area": "3/m2", "unit": "cm")"))["weight"].number() ==
           Approx(3e-4 * 8.25));
     CHECK(
