@@ -39,18 +39,18 @@ SupportFile table(const std::string& text) {
 
 TEST_CASE("supports have names in text, links and JSON", "[supports][settings]") {
   const Document document =
-      square_on("200,0:north 1000,200@30:\"south \"\"west\"\"\" 800,1000@20 0,800");
-  const Names names = {"north", "south \"west\"", "", ""};
+      square_on("200,0:north 1000,200@30:\"south \"\"west\"\"\" 800,1000@20:a\\b 0,800");
+  const Names names = {"north", "south \"west\"", "a\\b", ""};
   CHECK(document.settings.support_names == names);
   CHECK(document.shown.support_capacities ==
         std::vector<std::optional<double>>{std::nullopt, 30, 20, std::nullopt});
-  CHECK(text_of(Setting::support_names, document) == "north \"south \"\"west\"\"\" \"\" \"\"");
+  CHECK(text_of(Setting::support_names, document) == "north \"south \"\"west\"\"\" a\\b \"\"");
   CHECK(decode_link(*encode_link(document))->settings.support_names == names);
   const Placement placement = placed(document);
   const Json json = Json::parse(placement_json({placement, document.shown}, false));
-  CHECK(json["support_names"] == Json::parse(R"(["north", "south \"west\"", null, null])"));
+  CHECK(json["support_names"] == Json::parse(R"(["north", "south \"west\"", "a\\b", null])"));
   CHECK(json["robots"][1]["name"] == "south \"west\"");
-  CHECK_FALSE(json["robots"][2].contains("name"));
+  CHECK_FALSE(json["robots"][3].contains("name"));
   CHECK(table(placement_json({placement, document.shown}, false)).names == names);
   // Without a name there is no list, and other supports have none of the names.
   CHECK(square_on("0,0:\"\" 1000,0 500,900").settings.support_names.empty());
