@@ -279,6 +279,24 @@ TEST_CASE("where robots that may be off have no room, it is told with which accu
   CHECK(count_robots(placed(document).teams) == 6);
 }
 
+TEST_CASE("teams without room tell the number of their robots", "[accuracy][words]") {
+  std::size_t told = 0;
+  for (const char* name : {"arrow", "guitar", "cross", "letter-e", "stone-slab", "grand-piano"}) {
+    Document document = corpus::polygon(name);
+    document.settings.method = Method::area;
+    document.settings.teams = 3;
+    document.settings.robot.radius = 0.02 * bounding_box(document.vertices).diagonal();
+    document.settings.accuracy = 0.2 * bounding_box(document.vertices).diagonal();
+    const Result<Placement> placement = place(document);
+    if (!placement || !placement->accuracy_with_room || !placement->teams.empty()) continue;
+    ++told;
+    INFO(name);
+    CHECK(plainly(verdict({*placement, document.shown})).find("there is room for 6 robots.") !=
+          std::string::npos);
+  }
+  CHECK(told > 0);
+}
+
 TEST_CASE("how far robots may be off is told in a sentence", "[accuracy][words]") {
   Document document = on_square(held_square);
   const auto words = [&] {

@@ -691,3 +691,27 @@ TEST_CASE("the JSON of a step has its figures, but for the polygon itself", "[tr
   }
   CHECK(compared > 50);
 }
+
+TEST_CASE("each sense of turning is ruled out once, and then told as ruled out", "[trace][words]") {
+  std::size_t told = 0;
+  for (const char* name : {"horseshoe", "arrow", "cross", "stone-slab", "letter-e", "anchor"}) {
+    const Placement placement = placed(corpus::polygon(name));
+    const Trace trace = traced(placement);
+    INFO(name);
+    for (const std::string sense : {"clockwise", "counter-clockwise"}) {
+      std::size_t ruled_out = 0;
+      for (std::uint32_t k = 0; k < trace.size(); ++k) {
+        const std::string text = caption(trace, look_at(trace, k));
+        const bool now = text.find("It can no longer turn " + sense + " about any point.") !=
+                         std::string::npos,
+                   before = text.find("Turning " + sense + " is already ruled out.") !=
+                            std::string::npos;
+        if (before) CHECK(ruled_out == 1);
+        ruled_out += now;
+        told += now || before;
+      }
+      CHECK(ruled_out <= 1);
+    }
+  }
+  CHECK(told > 4);
+}

@@ -153,6 +153,53 @@ TEST_CASE("DXF: an arc that ends where it begins is a circle", "[import][dxf]") 
   }
 }
 
+TEST_CASE("DXF: each side of a polyline has its own bulge, the closing one too", "[import][dxf]") {
+  // A square of side 10 with a half circle outside at one side.
+  const Points corners = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  for (std::size_t round = 0; round < corners.size(); ++round) {
+    Pairs pairs = {{0, "LWPOLYLINE"}, {70, 1}};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      pairs.insert(pairs.end(), {{10, corners[i].x}, {20, corners[i].y}});
+      if (i == round) pairs.push_back({42, 1});
+    }
+    const Import import = read(drawing(lines(pairs)), {1e-4});
+    INFO("side " << round);
+    REQUIRE(import.shapes.size() == 1);
+    const Points& outline = import.shapes[0].document.vertices;
+    CHECK(std::abs(signed_area(outline)) == Approx(100 + 12.5 * 3.14159265).epsilon(1e-4));
+    const Box box = bounding_box(outline);
+    CHECK(box.low.y == Approx(round == 0 ? -5 : 0).margin(1e-6));
+    CHECK(box.high.x == Approx(round == 1 ? 15 : 10).margin(1e-6));
+    CHECK(box.high.y == Approx(round == 2 ? 15 : 10).margin(1e-6));
+    CHECK(box.low.x == Approx(round == 3 ? -5 : 0).margin(1e-6));
+  }
+}
+
+TEST_CASE("DXF: the widest gap that was joined is told, whichever layer has it", "[import][dxf]") {
+  const auto square_of_lines = [](const std::string& layer, double x, double gap) {
+    const Points corners = {{x, 0}, {x + 40, 0}, {x + 40, 40}, {x, 40}};
+    std::string text;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec2 from = corners[i], to = corners[(i + 1) % 4];
+      text += lines({{0, "LINE"},
+                     {8, layer},
+                     {10, from.x},
+                     {20, from.y},
+                     {11, to.x},
+                     {21, to.y + (i == 3 ? gap : 0)}});
+    }
+    return text;
+  };
+  for (const auto& [first, second] : {std::pair(0.05, 0.0), std::pair(0.0, 0.05)}) {
+    const Import import =
+        read(drawing(square_of_lines("A", 0, first) + square_of_lines("B", 60, second)));
+    INFO(first);
+    REQUIRE(import.shapes.size() == 2);
+    CHECK(std::count(import.notes.begin(), import.notes.end(),
+                     "ends up to 0.05 apart were joined") == 1);
+  }
+}
+
 TEST_CASE("DXF: circles and arcs of a block follow its scale", "[import][dxf]") {
   const std::string round = lines({{0, "CIRCLE"}, {10, 1}, {20, 0}, {40, 2}}) +
                             lines({{0, "ARC"}, {10, 9}, {20, 0}, {40, 2}, {50, 0}, {51, 180}}) +

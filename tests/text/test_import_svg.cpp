@@ -550,6 +550,27 @@ TEST_CASE("SVG: parts are named by the texts in them or beside them", "[import][
   CHECK(import.notes == std::vector<std::string>{"1 text was left out"});
 }
 
+TEST_CASE("SVG: round corners take at most half of each side", "[import][svg]") {
+  for (const auto& [size, area] :
+       {std::pair("width='100' height='20'", 2000 - (4 - 3.14159265) * 30 * 10),
+        std::pair("width='20' height='100'", 2000 - (4 - 3.14159265) * 10 * 30)}) {
+    const Import import = read("<svg xmlns='http://www.w3.org/2000/svg'><rect " +
+                                   std::string(size) + " rx='30' ry='30'/></svg>",
+                               {1e-4});
+    INFO(size);
+    REQUIRE(import.shapes.size() == 1);
+    REQUIRE(object_of(import.shapes[0].document).ok());
+    CHECK(std::abs(signed_area(import.shapes[0].document.vertices)) == Approx(area).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("SVG: in a copied group, shapes keep names of their own", "[import][svg]") {
+  const Import import = read(
+      "<svg xmlns='http://www.w3.org/2000/svg'><defs><g id='group'><rect id='plate' width='40' height='30'/>"
+      "<circle cx='100' r='9'/></g></defs><use id='copy' href='#group'/></svg>");
+  CHECK(names_in(import) == std::vector<std::string>{"plate", "copy"});
+}
+
 TEST_CASE("SVG: a shape that a clip path or a mask cuts is named, since it is read whole",
           "[import][svg]") {
   const auto notes = [](const std::string& clip, const std::string& shape) {

@@ -457,6 +457,29 @@ TEST_CASE("GeoJSON features may follow each other", "[import][geojson]") {
   CHECK(evenlift::testing::read(feature("a", 9)).shapes.size() == 1);
 }
 
+TEST_CASE("of columns that name x and y equally well, the first pair counts", "[import]") {
+  const Import import = evenlift::testing::read(
+      "Position X,Position Y,Center X,Center Y\n0,0,5,5\n40,0,6,5\n40,30,6,6\n0,30,5,6\n");
+  CHECK(import.shapes.at(0).document.vertices == Points{{0, 0}, {40, 0}, {40, 30}, {0, 30}});
+  CHECK(import.notes == std::vector<std::string>{"the column \"Center X\" was left out",
+                                                 "the column \"Center Y\" was left out"});
+}
+
+TEST_CASE("Esri JSON: the reference system of a set of features says that they are degrees",
+          "[import][json]") {
+  const std::string rings = "[[[10,60],[10,60.001],[10.002,60.001],[10,60]]]",
+                    system = R"("spatialReference":{"wkid":4326})";
+  for (const std::string& text :
+       {"{\"features\":[{\"geometry\":{\"rings\":" + rings + "}}]," + system + "}",
+        "{\"features\":[{\"geometry\":{\"rings\":" + rings + "," + system + "}}]}"}) {
+    INFO(text);
+    const auto notes = evenlift::testing::read(text).notes;
+    CHECK(std::any_of(notes.begin(), notes.end(), [](const std::string& each) {
+      return each.find("degrees") != std::string::npos;
+    }));
+  }
+}
+
 TEST_CASE("what is told about rings counts all of them", "[import][wkt]") {
   const auto notes = [](const std::string& text) { return evenlift::testing::read(text).notes; };
   using Notes = std::vector<std::string>;

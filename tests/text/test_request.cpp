@@ -341,6 +341,16 @@ TEST_CASE("an error has the path of the member at fault, from 0, and a sentence 
   CHECK(refusal("{\"polygon\": [[0, 0],")["place"].contains("line"));
 }
 
+TEST_CASE("a robot's size replaces all of the size that a link has", "[request]") {
+  Document document = l_document();
+  document.settings.robot = {.radius = 0.1, .reach = 0.2, .gap = 0.05};
+  const std::string link = *encode_link(document);
+  const Json placed_again =
+      answer_json("{\"text\": \"" + link + R"(", "robot": {"radius": 0.07}})");
+  CHECK(placed_again["robot"] ==
+        Json::parse(R"({"radius": 0.07, "reach": 0, "depth": 0, "width": 0, "gap": 0})"));
+}
+
 TEST_CASE("a key given twice is refused in files, too", "[request][import][errors]") {
   const auto read = read_shapes(R"({"polygon": [[0,0],[4,0],[4,3]], "weight": 3,
  "weight": 5})");
