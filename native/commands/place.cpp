@@ -129,9 +129,10 @@ std::string moves_in_words(const std::vector<SupportMove>& moves, const Reported
   const int decimals = place_decimals(of.placement);
   std::string text;
   for (const auto& [robot, from, to] : moves)
-    text += std::string(text.empty() ? "Moved" : ";") + " robot " + std::to_string(robot + 1) +
-            " from " + point_in_words(from, decimals) + " to " + point_in_words(to, decimals) +
-            ", by " + length_in_words(length(to - from), of.shown.units, Toward::nearest);
+    text += std::string(text.empty() ? "Moved" : ";") + " robot " +
+            of.placement.support_called(robot) + " from " + point_in_words(from, decimals) +
+            " to " + point_in_words(to, decimals) + ", by " +
+            length_in_words(length(to - from), of.shown.units, Toward::nearest);
   return text + ".";
 }
 

@@ -12,6 +12,8 @@ void TableOptions::declare(CommandLine& line) {
 
 void PlaceOptions::declare(CommandLine& line) {
   input.declare(line);
+  line.flag(input.settings.y_down, "--y-down",
+            "in an SVG: typed and printed places are the file's own, with y downward");
   line.value(weight.per_area, "--weight-per-area", "W",
              "weight from the area, for each square unit of the coordinates, or such as 15.6/m2");
   line.value(weight.thickness, "--thickness", "T",

@@ -70,11 +70,12 @@ void take_readings(const SupportFile& read, const std::string& file, Document& d
 }
 
 // Returns the lines of the robots if the text named a file. If `weigh` is set, takes its readings.
-std::vector<std::size_t> supports_option(const std::string& text, Document& document, bool weigh) {
-  if (!read_setting(Setting::supports, in_own_units(Setting::supports, text, document.shown.units),
-                    document))
-    return {};
+std::vector<std::size_t> supports_option(const std::string& text, Document& document, bool weigh,
+                                         bool& is_own) {
   const std::optional<std::string> file = read_file(text);
+  const std::string typed =
+      file ? text : in_own_units(Setting::supports, text, document.shown.units);
+  if (!read_setting(Setting::supports, typed, document)) return {};
   if (!file && text.find(',') == std::string::npos)
     throw Failure{bad_input_status, "--supports",
                   "there is no file " + text.substr(0, 200) +
@@ -103,15 +104,17 @@ std::vector<std::size_t> supports_option(const std::string& text, Document& docu
   document.settings.method = Method::given;
   document.moved = {};
   if (weigh) take_readings(*read, text, document);
+  is_own = read->is_own;
   return read->lines;
 }
 
-// Counts y of typed places downward if that was asked for; 0 stays without a sign.
-void turn(Document& document, const SettingOptions& options) {
+// Counts y of typed places downward if that was asked for; 0 stays without a sign. Files that evenlift wrote are as
+// they are.
+void turn(Document& document, const SettingOptions& options, bool supports_are_own) {
   if (!options.y_down) return;
   if (options.typed(Setting::com) && document.centre_of_mass)
     document.centre_of_mass->y = 0 - document.centre_of_mass->y;
-  if (options.typed(Setting::supports))
+  if (options.typed(Setting::supports) && !supports_are_own)
     for (Vec2& support : document.settings.supports) support.y = 0 - support.y;
   if (auto& heading = document.settings.weighed.heading; heading && options.typed(Setting::heading))
     heading->y = 0 - heading->y;
@@ -196,8 +199,9 @@ std::vector<std::size_t> SettingOptions::apply(Document& document) const {
   const Method method = document.settings.method;
   const Typed& supports = typed(Setting::supports);
   std::vector<std::size_t> lines;
-  if (supports) lines = supports_option(*supports, document, weigh);
-  turn(document, *this);
+  bool is_own = false;
+  if (supports) lines = supports_option(*supports, document, weigh, is_own);
+  turn(document, *this, is_own);
   if (weigh && lines.empty())
     throw Failure{bad_input_status, "--weigh", "applies to --supports with a file of supports"};
   if (typed(Setting::method)) document.settings.method = method;
@@ -232,8 +236,6 @@ void InputOptions::declare(CommandLine& line, const std::string& help) {
   settings.declare(line, OptionGroup::placement);
   line.flag(settings.weigh, "--weigh",
             "the file of --supports has a column of readings: they give the weight and C");
-  line.flag(settings.y_down, "--y-down",
-            "in an SVG: typed and printed places are the file's own, with y downward");
   shapes.declare(line);
 }
 
@@ -291,6 +293,7 @@ void tell_loads_outside(const Input& input, const SettingOptions& options) {
 }  // namespace
 
 Input InputOptions::read() const {
+  if (settings.y_down) write_y_down();
   Input input = read_input(file, shapes);
   tell_y(input.source, input.y_down);
   input.lines_of_supports = apply(input.document);
@@ -315,10 +318,9 @@ std::vector<std::size_t> InputOptions::apply(Document& document) const {
 void InputOptions::tell_y(const std::string& source, bool y_down) const {
   if (settings.y_down && !y_down)
     throw Failure{bad_input_status, "--y-down", "applies to an SVG, in which y points down"};
-  if (settings.y_down) return write_y_down();
   const bool has_places = settings.typed(Setting::com) || settings.typed(Setting::supports) ||
                           settings.typed(Setting::cargo);
-  if (y_down && has_places)
+  if (y_down && has_places && !settings.y_down)
     print_failure({0,
                    source,
                    "places are read and printed with y upward, so (x, y) of the file is (x, -y); "

@@ -15,6 +15,7 @@ namespace evenlift::native {
 namespace {
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 struct Kinds {
@@ -67,10 +68,10 @@ std::string in_own_units(Setting setting, const std::string& text, const Units& 
   std::string own;
   int colons = 0;
   for (std::size_t i = 0; i < all.size();) {
-    if (all[i] == ' ') colons = 0;
+    if (is_space(all[i])) colons = 0;
     if (all[i] == ':' && ++colons == kinds.colon_of_name) {  // a name, perhaps between quotes
       bool quoted = false;
-      for (; i < all.size() && (quoted || all[i] != ' '); ++i) {
+      for (; i < all.size() && (quoted || !is_space(all[i])); ++i) {
         if (all[i] == '"') quoted = !quoted;
         own += all[i];
       }
@@ -93,7 +94,8 @@ std::string in_own_units(Setting setting, const std::string& text, const Units& 
     while (after < all.size() && is_letter(all[after])) ++after;
     const std::string_view number = all.substr(i, end - i), word = all.substr(unit, after - unit);
     const bool is_whole_word =
-        after == all.size() || std::string_view(" ,:@").find(all[after]) != std::string_view::npos;
+        after == all.size() ||
+        std::string_view(" \t\r\n,:@").find(all[after]) != std::string_view::npos;
     const std::optional<double> value = read_number(number),
                                 factor = is_whole_word ? factor_of(word, kinds, setting, units)
                                                        : std::nullopt;

@@ -333,6 +333,7 @@ TEST_CASE("typed lengths and weights may have units", "[cli][slow]") {
       {"--unit mm --com-height 0.6m --slope 8deg", "--unit mm --com-height 600 --slope 8deg"},
       {"--unit cm --com 20mm,1.5 --robot r=1mm,gap=2", "--unit cm --com 2,1.5 --robot r=0.1,gap=2"},
       {"--unit mm --cargo '3,0.2cm:5lb:\"3 kg\"'", "--unit mm --cargo '3,2:2.26796185:\"3 kg\"'"},
+      {"--unit m --supports '0,0:5\n400cm,0 2,4'", "--unit m --supports '0,0:5 4,0 2,4'"},
       {"--supports '0,0@40lb:5kg 4,0:a 2,4'", "--supports '0,0@18.1436948:5kg 4,0:a 2,4'"},
       {"--supports '0,0 4,0 2,4' --readings '30kg 20 20lb'",
        "--supports '0,0 4,0 2,4' --readings '30 20 9.0718474'"}};

@@ -64,7 +64,8 @@ TEST_CASE("a wrong name of a support is refused", "[supports][settings]") {
   const std::string long_name(61, 'a');
   for (const std::string& bad : std::initializer_list<std::string>{
            std::string("0,0:"), "0,0:a\"b", "0,0:" + long_name, std::string("0,0:a\x01"),
-           std::string("0,0:\xff"), std::string("0,0@:a"), std::string(":a")}) {
+           std::string("0,0:\xff"), std::string("0,0@:a"), std::string(":a"),
+           std::string("0,0:\"a\u2028b\""), std::string("0,0:a\u202eb")}) {
     INFO(bad);
     CHECK(read_setting(Setting::supports, bad, document));
   }
@@ -125,6 +126,37 @@ TEST_CASE("supports in feet are in inches, and an unknown unit is refused", "[su
   CHECK(read_support_file("x,y,capacity (stone)\n1,2,3\n").error().message ==
         "the unit of the capacities is not known; it may be kg, t, N, kN or lb");
   CHECK(table("x (from the left),y (up)\n1,2\n").places == Points{{1, 2}});
+}
+
+TEST_CASE("names come back from each format of poses, whatever they are", "[supports][poses]") {
+  Document document = square_on("200,0 1000,200 800,1000 0,800");
+  document.shown.units.length = LengthUnit::mm;
+  document.settings.support_names = {"say \"hi\", you", "=1+1", "position: {x: 50, y: 50}",
+                                     "lifts at {x: 1, y: 2} \u00e4"};
+  const Placement placement = placed(document);
+  for (const PoseFormat format : {PoseFormat::csv, PoseFormat::json, PoseFormat::yaml}) {
+    const std::string text = poses_text({placement, document.shown}, format);
+    INFO(text);
+    const SupportFile read = table(text);
+    CHECK(read.names == document.settings.support_names);
+    CHECK(read.places.size() == 4);
+    CHECK(read.is_own);
+  }
+}
+
+TEST_CASE("labels of a table are made names, and what is no load does not count",
+          "[supports][import]") {
+  CHECK(table("Name;x;y\nS\xfc"
+              "d;0;0\n" +
+              std::string(70, 'a') + ";9;0\n")
+            .names.at(1) == std::string(60, 'a'));
+  CHECK(table("ID,x,y\nJ1,0,0\nJ2,9,0\n").names == Names{"J1", "J2"});
+  CHECK(table("No,x,y\n1,0,0\n2,9,0\n").names.empty());
+  CHECK(table("n,x,y,load\n1,0,0,50\n2,9,0,60\n").readings == std::vector<double>{50, 60});
+  CHECK(table("x,y,Scale,reading\n0,0,S1,50\n").readings == std::vector<double>{50});
+  CHECK(table("x,y,capacity (max)\n0,0,50\n").capacities.at(0) == 50.0);
+  CHECK(table("x,y,remark\n0,0,position: north\n").places == Points{{0, 0}});
+  CHECK(read_support_file("x (ft),y\n0,0\n").error().message == "x and y are in different units");
 }
 
 TEST_CASE("poses of robots with bodies come back as supports in each format", "[supports][poses]") {

@@ -601,6 +601,11 @@ TEST_CASE("SVG: a shape that a clip path or a mask cuts is named, since it is re
               "<rect width='300' height='200' clip-path='url(#c)'/>")
             .empty());
   CHECK(notes(window, "<rect width='200' height='40' clip-path='url(#none)'/>").empty());
+  CHECK(notes(window, "<path id='a' d='M1 1H9V9Z M60 1H250V9Z' clip-path='url(#c)'/>") ==
+        Notes{cut});
+  CHECK(notes("<clipPath id='c'><rect width='100%' height='200px'/></clipPath>",
+              "<rect width='300' height='200' clip-path='url(#c)'/>")
+            .empty());
   CHECK(
       notes(
           window + "<clipPath id='d'><rect width='60' height='60'/></clipPath>",

@@ -150,3 +150,19 @@ TEST_CASE("a plate whose cut-outs touch or overlap is read with one hole, and sa
       "[[20,20],[20,40],[40,40],[40,20],[20,20]],[[30,30],[30,50],[60,50],[60,30],[30,30]]]}");
   REQUIRE(geojson.shapes[0].document.holes.size() == 1);
 }
+
+TEST_CASE("rings with too many meetings stay as they are", "[import][holes]") {
+  // Two combs across each other.
+  Points comb = {{0, 0}}, across;
+  for (int i = 0; i < 400; ++i) {
+    comb.emplace_back(i, 0.5);
+    comb.emplace_back(i, 400);
+    comb.emplace_back(i + 0.5, 400);
+    comb.emplace_back(i + 0.5, 0.5);
+  }
+  comb.emplace_back(400, 0);
+  for (const Vec2& p : comb) across.emplace_back(p.y - 1, p.x + 2);
+  const Uniting uniting = unite_touching({comb, across});
+  CHECK(uniting.united == 0);
+  CHECK(uniting.rings == std::vector<Points>{comb, across});
+}

@@ -161,9 +161,10 @@ struct Applier {
   void operator()(const PutRobot& c) const { put_support(state, c.robot, c.at); }
   void operator()(const RemoveRobot& c) const { remove_support(state, c.robot); }
   void operator()(const EvenOut&) const { even_out_supports(state); }
-  void operator()(SetSupports& c) const {
-    edit(state, false, edit_of(row_of(c.setting))) = std::move(c.document);
+  void operator()(SetReadings& c) const {
+    edit(state, false, edit_of(row_of(Setting::readings))) = std::move(c.document);
   }
+  void operator()(const NameRobot& c) const { name_support(state, c.robot, c.name); }
   void operator()(const TakeOver&) const {
     const auto& placement = state.derived().placement;
     if (!placement || !placement->weighing || lags(state)) return;
@@ -277,8 +278,8 @@ struct Applier {
     if (c.robot && *c.robot >= count_robots(facts.placement->teams)) return;
     if (c.robot ? facts.failure && facts.failure->robot == *c.robot : !facts.failure) return;
     if (!c.robot)
-      announce(state, say("Robot {robot} works again.",
-                          {facts.placement->number_of(facts.failure->robot)}));
+      announce(state,
+               say("Robot {robot} works again.", {facts.placement->called(facts.failure->robot)}));
     state.view.fails.ask(c.robot);
   }
   void operator()(const SetLoadModel& c) const {
@@ -406,7 +407,7 @@ bool is_one_of(Command& command) {
 // Whether a command may take places from the robots on the screen: they must be those of the
 // present shape.
 bool builds_on_robots(Command& command) {
-  return is_one_of<SetMethod, PlaceYourself, AddRobot, PutRobot, RemoveRobot>(command);
+  return is_one_of<SetMethod, PlaceYourself, AddRobot, PutRobot, NameRobot, RemoveRobot>(command);
 }
 
 }  // namespace

@@ -198,9 +198,10 @@ void take_away_dragged_out(AppState& state) {
   if (!support || !state.work.edit_open) return;
   Document& document = state.work.edit();
   if (*support >= document.settings.supports.size()) return;
+  const std::string called = support_called(document.settings, *support);
   remove_from(document, *support);
-  show(state, {Notice::Kind::info, say("Robot {robot} is taken away.", {*support + 1}),
-               say("Bring it back")});
+  show(state,
+       {Notice::Kind::info, say("Robot {robot} is taken away.", {called}), say("Bring it back")});
 }
 
 void place_yourself(AppState& state, std::size_t robots) {
@@ -230,6 +231,16 @@ void put_support(AppState& state, std::size_t robot, const Vec2& at) {
   const Placement& placement = *state.derived().placement;
   if (!SupportPlacer(placement.object, placement.settings).place(at)) return;
   edit_supports(state, false).settings.supports[robot] = at;
+}
+
+void name_support(AppState& state, std::size_t robot, const std::string& name) {
+  if (robot >= supports_now(state).size()) return;
+  Document& document = edit_supports(state, false);
+  std::vector<std::string>& names = document.settings.support_names;
+  names.resize(document.settings.supports.size());
+  names[robot] = name;
+  if (std::all_of(names.begin(), names.end(), [](const auto& each) { return each.empty(); }))
+    names.clear();
 }
 
 void add_support(AppState& state, std::optional<Vec2> at) {

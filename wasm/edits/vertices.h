@@ -43,6 +43,8 @@ Points supports_now(const AppState& state);
 
 // Puts a robot exactly at a place, as one step of undo. Does nothing if no robot can stand there.
 void put_support(AppState& state, std::size_t robot, const Vec2& at);
+// Names a robot; "" takes its name away. The name must be valid (settings.h).
+void name_support(AppState& state, std::size_t robot, const std::string& name);
 
 // add_support() adds a robot at a place or, without a place, where the robot adds most to the
 // lifting base. remove_support() removes a robot or, without a number, the last one.

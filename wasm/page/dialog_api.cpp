@@ -387,8 +387,7 @@ std::string name_robot(std::size_t robot, const char* text) {
   const std::string all = text_of(evenlift::Setting::support_names, named);
   if (const auto wrong = read_setting(evenlift::Setting::support_names, all, named))
     return sentence(*wrong);
-  carry_out(
-      {EndEdit{}, SetSupports{evenlift::Setting::support_names, std::move(named)}, EndEdit{}});
+  carry_out({EndEdit{}, NameRobot{robot, text}, EndEdit{}});
   return {};
 }
 
@@ -431,7 +430,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_readings(const char* text) {
   if (const auto placed = place(weighed, evenlift::Effort::whole, evenlift::Misfitting::left_out);
       !placed)
     return hand_over(std::string(translated(placed.error().message)));
-  carry_out({EndEdit{}, SetSupports{evenlift::Setting::readings, std::move(weighed)}, EndEdit{}});
+  carry_out({EndEdit{}, SetReadings{std::move(weighed)}, EndEdit{}});
   return hand_over({});
 }
 

@@ -85,9 +85,12 @@ struct RemoveRobot {
   std::optional<std::size_t> robot;  // the number from 0; nothing: the last robot
 };
 struct EvenOut {};    // moves two or three given supports so that all loads become equal
-struct SetSupports {  // with other names, or with readings, which then give the weight and C
-  Setting setting;
+struct SetReadings {  // of all robots, which then give the weight and C
   Document document;
+};
+struct NameRobot {
+  std::size_t robot;
+  std::string name;
 };
 struct TakeOver {};     // makes what the readings told the object's, without readings
 struct ResetRobots {};  // moves the robots back to where the method placed them
@@ -330,17 +333,17 @@ struct AddStep {
 using AnyCommand = std::variant<
     SetSettings, SetMethod, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
     AddWeight, SetCargo, OpenDocument, SetPolygon, EndEdit, MoveRobot, PlaceYourself, CloseTask,
-    SetChallenge, AddRobot, PutRobot, RemoveRobot, EvenOut, SetSupports, TakeOver, ResetRobots,
-    Undo, Redo, SetShown, SetTool, GripPolygon, AddPoint, MovePoint, TakePointBack, PutPointBack,
-    FinishDrawing, SetDrawCursor, TypeEdge, WithdrawEdge, SetSnap, Compare, Fail, SetLoadModel,
-    SetMotion, OpenWalkthrough, CloseWalkthrough, GoToStep, MoveSteps, MoveChapters, SetPlaying,
-    SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy, Measure, HoverFigure, Explain, ShowInLesson,
-    LeaveScript, ShowAllSteps, SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView,
-    ZoomView, SetPanelOpen, SetSectionOpen, ExplainMark, ForgetField, SetDrawerOpen, SetErases,
-    ListIsOpen, CloseList, SetSheet, MeasureSheet, MeasureNotice, CopyLink, TypeValue, OpenDialog,
-    OpenPage, LayOutAgain, TakeRobots, TakeChoice, ShowNotice, EndNotice, SetCanvas, SetPreferences,
-    SetTouch, CoverScreen, MakeRoom, LayPicture, TakePictureAway, SetMeasuring, KeepMotion,
-    KeepComparison, ForgetSteps, AddStep>;
+    SetChallenge, AddRobot, PutRobot, RemoveRobot, EvenOut, SetReadings, NameRobot, TakeOver,
+    ResetRobots, Undo, Redo, SetShown, SetTool, GripPolygon, AddPoint, MovePoint, TakePointBack,
+    PutPointBack, FinishDrawing, SetDrawCursor, TypeEdge, WithdrawEdge, SetSnap, Compare, Fail,
+    SetLoadModel, SetMotion, OpenWalkthrough, CloseWalkthrough, GoToStep, MoveSteps, MoveChapters,
+    SetPlaying, SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy, Measure, HoverFigure, Explain,
+    ShowInLesson, LeaveScript, ShowAllSteps, SetPresenting, SelectVertex, SetHover, SetHeld,
+    SetCamera, FitView, ZoomView, SetPanelOpen, SetSectionOpen, ExplainMark, ForgetField,
+    SetDrawerOpen, SetErases, ListIsOpen, CloseList, SetSheet, MeasureSheet, MeasureNotice,
+    CopyLink, TypeValue, OpenDialog, OpenPage, LayOutAgain, TakeRobots, TakeChoice, ShowNotice,
+    EndNotice, SetCanvas, SetPreferences, SetTouch, CoverScreen, MakeRoom, LayPicture,
+    TakePictureAway, SetMeasuring, KeepMotion, KeepComparison, ForgetSteps, AddStep>;
 // One command, which its copies share. What would copy or destroy any of the kinds is compiled only
 // once, in command.cpp: compiled in every file that makes a command, it took half of the panels'
 // compile time.

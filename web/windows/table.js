@@ -80,7 +80,7 @@ export async function show(page, { list } = {}) {
     if (!list) return;
   }
   const table = new Table(page);
-  const weighs = list === lists.robots; // then names are not of use
+  const weighs = list === lists.robots; // then names are not of use, until a list is chosen
   const root = await openWindow({
     name,
     title: weighs ? "Weigh it" : "Coordinates",
@@ -95,8 +95,8 @@ export async function show(page, { list } = {}) {
     ],
     closed: () => table.disconnect(),
   });
-  root?.classList.toggle("weighs", weighs);
   if (root) table.connect(root, list);
+  table.scroll.classList.toggle("weighs", weighs);
 }
 
 class Table {
@@ -182,6 +182,7 @@ class Table {
 
   #take(list) {
     this.#list = list;
+    this.scroll.classList.remove("weighs");
     this.#rows = [];
     this.#from = list === lists.vertices ? this.#from : 0;
     const heads = [list.one, ...list.columns];

@@ -278,6 +278,10 @@ struct Shown {
   bool operator==(const Shown&) const = default;
 };
 
+// What people call a given support: its number from 1 and, in brackets, its name if it has one, such as "4
+// (north)". O(bytes).
+std::string support_called(const Settings& settings, std::size_t support);
+
 // The given goal, or else the default: `hold` for four or more balanced robots, otherwise `cover`.
 // (For two or three balanced robots, a hold would cost too much of the lifting base.) With
 // Method::given the goal is always `cover`. O(1).

@@ -31,8 +31,9 @@ std::string write_thesis(const Document& document);
 std::string write_wkt(const Document& document);
 std::string write_geojson(const Document& document);
 
-// In robot poses as YAML (output/poses.h), the words before the points where a robot with a size lifts
-// and touches the object, by which import.h reads them back.
-inline constexpr std::string_view poses_lift = "lifts at", poses_touch = "touches at";
+// In robot poses as YAML (output/poses.h), comments before a pose begin with these words: the robot's name, as a text in
+// JSON, and the points where one with a size lifts and touches the object. import.h reads them back.
+inline constexpr std::string_view poses_name = "name", poses_lift = "lifts at",
+                                  poses_touch = "touches at";
 
 }  // namespace evenlift

@@ -190,6 +190,7 @@ struct SupportFile {
   // The kilograms in the unit of the capacities and of the readings, if their headings state one.
   std::optional<double> capacity_unit, reading_unit;
   LengthUnit unit = LengthUnit::none;  // as a table or JSON states it; metres for YAML (ROS 2)
+  bool is_own = false;                 // evenlift wrote it, so that y points up
 };
 
 // Reads the places of robots. The text is a table whose first line names the columns of x and y, and

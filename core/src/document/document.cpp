@@ -18,6 +18,13 @@ double total_weight(const Settings& settings) {
   return weight;
 }
 
+std::string support_called(const Settings& settings, std::size_t support) {
+  const std::string number = std::to_string(support + 1);
+  const std::vector<std::string>& names = settings.support_names;
+  const bool has_name = support < names.size() && !names[support].empty();
+  return has_name ? number + " (" + names[support] + ")" : number;
+}
+
 std::string_view name(Method method) {
   switch (method) {
     case Method::area:

@@ -283,11 +283,14 @@ std::optional<std::string> read_name(std::string_view text) {
   return name;
 }
 
-// Of ASCII, or U+0080 to U+009F.
+// Of ASCII, U+0080 to U+009F, and those that separate lines or turn the direction of writing.
 bool is_control(std::string_view character) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
   if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7f;
-  return byte(0) == 0xc2 && byte(1) < 0xa0;
+  const bool is_general = character.size() == 3 && byte(0) == 0xe2;  // U+2000 to U+2FFF
+  return (byte(0) == 0xc2 && byte(1) < 0xa0) ||
+         (is_general && byte(1) == 0x80 && byte(2) >= 0xa8 && byte(2) <= 0xae) ||
+         (is_general && byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9);
 }
 
 // The name after a colon, at `from`; no name if the text ends there.
@@ -326,7 +329,7 @@ bool read_names(std::string_view text, std::vector<std::string>& names) {
                       const auto name = read_name(item);
                       if (!name || fault_of_name(*name) || read.size() == most_supports)
                         return false;
-                      read.push_back(*name);
+                      read.emplace_back(trimmed(*name));
                       return true;
                     });
   if (!good || (read.empty() && text != "none")) return false;
@@ -379,8 +382,8 @@ bool read_supports(std::string_view text, Document& document) {
                       if (!given || supports.size() == most_supports) return false;
                       supports.push_back(given->at);
                       capacities.push_back(given->capacity);
-                      has_names = has_names || !given->name.empty();
-                      names.push_back(std::move(given->name));
+                      names.emplace_back(trimmed(given->name));
+                      has_names = has_names || !names.back().empty();
                       return true;
                     });
   if (!good || (supports.empty() && text != "none")) return false;

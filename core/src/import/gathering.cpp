@@ -327,7 +327,7 @@ void Gathering::add(const DrawnShape& drawn) {
 namespace {
 
 std::string point_in_words(const Vec2& p) {
-  return "(" + short_number(p.x) + ", " + short_number(p.y) + ")";
+  return "(" + short_number(p.x) + ", " + short_number(written_y(p.y) + 0.0) + ")";
 }
 
 bool is_line(const DrawnPiece& piece) {

@@ -295,7 +295,7 @@ class Gathered {
     Vec2 at;
     std::optional<Vec2> contact;
     std::optional<double> capacity;
-    std::string_view name;
+    std::string name = {};
   };
 
   Problem add(const Support& support, std::size_t offset) {
@@ -303,12 +303,11 @@ class Gathered {
       return error(offset, "there are more than 1000 robots");
     if (support.capacity && !is_in_range(Setting::capacity, *support.capacity))
       return error(offset, requirement(Setting::capacity));
-    if (const char* fault = fault_of_name(support.name)) return error(offset, fault);
     supports_.places.push_back(support.at);
     supports_.contacts.push_back(support.contact.value_or(support.at));
     has_contacts_ = has_contacts_ || support.contact;
     supports_.capacities.push_back(support.capacity);
-    supports_.names.emplace_back(support.name);
+    supports_.names.push_back(name_of(support.name));
     supports_.lines.push_back(line_at(offset));
     return std::nullopt;
   }
@@ -328,6 +327,12 @@ class Gathered {
     return text_error(ErrorCode::bad_syntax, std::move(message), text_, offset);
   }
 
+  // Of evenlift's own file, whose places are its own coordinates.
+  Result<SupportFile> finish_own(LengthUnit unit) {
+    supports_.is_own = true;
+    return finish(unit);
+  }
+
   Result<SupportFile> finish(LengthUnit unit = LengthUnit::none) {
     if (supports_.places.empty()) return error(0, "there are no robots here");
     const auto& all = supports_.capacities;
@@ -343,6 +348,13 @@ class Gathered {
   }
 
  private:
+  // A label of a file that is no name is made one, since the file has more to say.
+  static std::string name_of(std::string_view label) {
+    std::string name = clean_name(label);
+    while (fault_of_name(name)) name.pop_back();
+    return std::string(trimmed(name));
+  }
+
   // Robots come in the order of the text.
   std::size_t line_at(std::size_t offset) {
     line_ += static_cast<std::size_t>(
@@ -374,7 +386,8 @@ class JsonSupports {
   Result<SupportFile> read() {
     std::optional<Index> list = tree_.root();
     LengthUnit unit = LengthUnit::none;
-    if (tree_.kind(*list) == Kind::object) {
+    const bool is_own = tree_.kind(*list) == Kind::object;
+    if (is_own) {
       if (tree_.is_string(tree_.member(0, "origin"), "com"))
         return gathered_.error(tree_.offset(0),
                                "these poses are relative to the centre of mass; "
@@ -391,10 +404,11 @@ class JsonSupports {
     for (Index i = tree_.first(*list); i != tree_.end(*list); i = tree_.next(i)) {
       const std::optional<Vec2> at = point(i);
       if (!at) return gathered_.error(tree_.offset(i), "expected a point [x, y] of two numbers");
-      if (auto wrong = gathered_.add({*at, contact(i), capacity(i), name(i)}, tree_.offset(i)))
+      if (auto wrong =
+              gathered_.add({*at, contact(i), capacity(i), std::string(name(i))}, tree_.offset(i)))
         return *wrong;
     }
-    return gathered_.finish(unit);
+    return is_own ? gathered_.finish_own(unit) : gathered_.finish(unit);
   }
 
  private:
@@ -458,25 +472,55 @@ std::optional<Vec2> point_after(std::string_view line, std::string_view word) {
   return x && y ? std::optional(Vec2(*x, *y)) : std::nullopt;
 }
 
-// A comment before a pose tells where a robot with a body lifts and touches (poses.h).
+// The rest of a line that begins with the words, after spaces and marks of a list or comment.
+std::optional<std::string_view> after_words(std::string_view line, std::string_view mark,
+                                            std::string_view words) {
+  line = trimmed(line);
+  if (!line.starts_with(mark)) return std::nullopt;
+  line = trimmed(line.substr(mark.size()));
+  if (!line.starts_with(words)) return std::nullopt;
+  return line.substr(words.size());
+}
+
+std::optional<std::string_view> position_in(std::string_view line) {
+  const auto in_list = after_words(line, "-", "position:");
+  return in_list ? in_list : after_words(line, "", "position:");
+}
+
+bool has_poses(std::string_view text) {
+  Lines lines(text);
+  for (auto line = lines.next(); line; line = lines.next())
+    if (position_in(line->text)) return true;
+  return false;
+}
+
+// Comments before a pose tell the robot's name, and where one with a body lifts and touches
+// (formats.h).
 Result<SupportFile> read_poses(std::string_view text) {
   Gathered gathered(text);
   Lines lines(text, Comments::returned);
-  std::optional<Vec2> lifts, touches;
+  Gathered::Support next;
+  std::optional<Vec2> lifts;
   for (auto line = lines.next(); line; line = lines.next()) {
-    if (line->text.find(poses_lift) != std::string_view::npos) {
-      lifts = point_after(line->text, poses_lift);
-      touches = point_after(line->text, poses_touch);
+    if (const auto named = after_words(line->text, "#", poses_name))
+      if (const Result<JsonTree> name = JsonTree::read(*named);
+          name && name->kind(name->root()) == JsonTree::Kind::string)
+        next.name = std::string(name->text(name->root()));
+    if (const auto points = after_words(line->text, "#", poses_lift)) {
+      lifts = point_after(*points, "");
+      next.contact = point_after(*points, poses_touch);
     }
-    if (line->text.find("position:") == std::string_view::npos) continue;
+    const auto position = position_in(line->text);
+    if (!position) continue;
     const auto offset = static_cast<std::size_t>(line->text.data() - text.data());
-    const auto at = point_after(line->text, "position:");
+    const auto at = point_after(*position, "");
     if (!at) return gathered.error(offset, "expected a position {x: 0.5, y: 1.0, z: 0.0}");
-    if (auto wrong = gathered.add({lifts.value_or(*at), touches, std::nullopt, {}}, offset))
-      return *wrong;
-    lifts = touches = std::nullopt;
+    next.at = lifts.value_or(*at);
+    if (auto wrong = gathered.add(next, offset)) return *wrong;
+    next = {};
+    lifts.reset();
   }
-  return gathered.finish(LengthUnit::m);
+  return gathered.finish_own(LengthUnit::m);
 }
 
 // --- A table with a heading
@@ -495,8 +539,9 @@ bool is_of_poses(std::string_view heading) {
                      [&](std::string_view each) { return same_word(heading, each); });
 }
 
-// Of several columns of a kind, the first counts.
-Columns columns_of(const Fields& headings, Gathered& gathered) {
+// Of several columns of loads, capacities or names, the first counts. Loads and capacities are numbers in the first row.
+Columns columns_of(const Fields& headings, const Fields& first_row, bool decimal_comma,
+                   Gathered& gathered) {
   Columns columns;
   for (std::size_t i = headings.size(); i-- > 0;) {
     if (names_column(headings[i], 'x')) columns.x = i;
@@ -516,7 +561,11 @@ Columns columns_of(const Fields& headings, Gathered& gathered) {
                                               {"at_x", &columns.x},
                                               {"at_y", &columns.y}};
   std::vector<char> used(headings.size());
-  Cell support;
+  Cell support, number;
+  const auto may_be_amount = [&](std::size_t i) {
+    return i >= first_row.size() || first_row[i].empty() ||
+           cell_number(first_row[i], decimal_comma).has_value();
+  };
   for (std::size_t i = 0; i < headings.size(); ++i) {
     const auto found = std::find_if(std::begin(own), std::end(own), [&](const auto& each) {
       return same_word(headings[i], each.first);
@@ -524,10 +573,12 @@ Columns columns_of(const Fields& headings, Gathered& gathered) {
     Cell* cell = found == std::end(own) ? nullptr : found->second;
     const Column content =
         cell || i == columns.x || i == columns.y ? Column::other : content_of(headings[i]);
-    if (content == Column::capacity) cell = &columns.capacity;
-    if (content == Column::load) cell = &columns.reading;
+    if (content == Column::capacity && may_be_amount(i)) cell = &columns.capacity;
+    if (content == Column::load && may_be_amount(i)) cell = &columns.reading;
     if (content == Column::name) cell = &columns.name;
     if (content == Column::support) cell = &support;
+    if (content == Column::other && !cell && column_of(headings[i]) == Column::number)
+      cell = &number;
     const bool is_own = found != std::end(own);
     if (cell && (is_own || !*cell)) {
       *cell = i;
@@ -535,7 +586,7 @@ Columns columns_of(const Fields& headings, Gathered& gathered) {
     }
   }
   if (columns.name && support) used[*support] = column_of(headings[*support]) == Column::number;
-  if (!columns.name) columns.name = support;
+  if (!columns.name) columns.name = support ? support : number;
   for (std::size_t i = 0; i < headings.size(); ++i) {
     const bool tells = used[i] != 0 || i == columns.x || i == columns.y || headings[i].empty() ||
                        is_of_poses(headings[i]) || column_of(headings[i]) == Column::number;
@@ -554,12 +605,16 @@ class SupportTable {
     const auto heading = lines.next();
     separator_ = heading ? separator_of(heading->text) : ' ';
     if (heading) headings_ = split_cells(heading->text, separator_);
-    columns_ = columns_of(headings_, gathered_);
+    Lines ahead = lines;
+    const auto first = ahead.next();
+    columns_ = columns_of(headings_, first ? split_cells(first->text, separator_) : Fields{},
+                          separator_ != ',' && separator_ != ' ', gathered_);
     if (auto wrong = take_headings()) return *std::move(wrong);
     for (auto line = lines.next(); line; line = lines.next())
       if (auto wrong = take_row(line->text)) return *std::move(wrong);
     gathered_.set_units(unit_of_capacities_, unit_of_readings_);
-    return gathered_.finish(unit_);
+    return has_field(headings_, "heading_deg") ? gathered_.finish_own(unit_)
+                                               : gathered_.finish(unit_);
   }
 
  private:
@@ -569,7 +624,7 @@ class SupportTable {
           0, "the first line must name the columns x and y, and perhaps name and capacity");
     const std::string_view x = headings_[*columns_.x], y = headings_[*columns_.y];
     unit_ = columns_.is_in_feet ? LengthUnit::in : unit_of_column(x);
-    if (!columns_.is_in_feet && unit_ != unit_of_column(y))
+    if (!columns_.is_in_feet && (unit_ != unit_of_column(y) || is_in_feet(x) != is_in_feet(y)))
       return gathered_.error(0, "x and y are in different units");
     // Brackets may also say more, as in "x (right)" and "y (up)".
     const bool is_unknown =
@@ -588,6 +643,19 @@ class SupportTable {
       gathered_.refuse_readings(
           0, "the unit of the readings is not known; it may be kg, t, N, kN or lb");
     return std::nullopt;
+  }
+
+  // As csv_cell() (numbers.h) writes a text: with quotation marks doubled, and perhaps an apostrophe before it.
+  static std::string name_in(std::string_view cell) {
+    std::string name;
+    if (cell.size() > 1 && cell[0] == '\'' &&
+        std::string_view("=+-@").find(cell[1]) != std::string_view::npos)
+      cell.remove_prefix(1);
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+      name += cell[i];
+      if (cell[i] == '"' && i + 1 < cell.size() && cell[i + 1] == '"') ++i;
+    }
+    return name;
   }
 
   // The word in brackets: "furlong" of "x (furlong)".
@@ -629,7 +697,8 @@ class SupportTable {
       return gathered_.error(offset, "the capacity is not a number");
     if (auto wrong = take_units(cells, offset)) return wrong;
     const auto contact = point(cells, columns_.contact_x, columns_.contact_y);
-    if (auto wrong = gathered_.add({*at, contact, capacity, cell(cells, columns_.name)}, offset))
+    if (auto wrong =
+            gathered_.add({*at, contact, capacity, name_in(cell(cells, columns_.name))}, offset))
       return wrong;
     if (const auto reading = value(cells, columns_.reading); reading && *reading >= 0)
       gathered_.add_reading(*reading);
@@ -676,8 +745,7 @@ Result<SupportFile> read_support_file(std::string_view text) {
     if (!tree) return tree.error();
     return JsonSupports(text, *tree).read();
   }
-  return text.find("position:") != std::string_view::npos ? read_poses(text)
-                                                          : SupportTable(text).read();
+  return has_poses(text) ? read_poses(text) : SupportTable(text).read();
 }
 
 }  // namespace evenlift

@@ -218,9 +218,8 @@ std::string_view Placement::name_of_support(std::size_t support) const {
 }
 
 std::string Placement::support_called(std::size_t support) const {
-  const std::string number = std::to_string(support + 1);
-  const std::string_view name = name_of_support(support);
-  return name.empty() ? number : number + " (" + std::string(name) + ")";
+  return settings.method == Method::given ? evenlift::support_called(settings, support)
+                                          : std::to_string(support + 1);
 }
 
 std::vector<PlacedRobot> placed_robots(const Placement& placement) {

@@ -210,10 +210,10 @@ std::vector<std::string> snap_notes(const PolygonWithHoles& object, const Settin
                             : "{number} supports were put at the edge, at most {distance} away",
                         {moved, in_brief(most)}));
   if (least_beneath <= nearly * placer.snap())
-    notes.push_back(
-        say("robot {robot} is beneath the object, {distance} from the edge; --snap "
-            "{snap} puts it at the edge",
-            {nearest + 1, in_brief(least_beneath), enough_for(least_beneath)}));
+    notes.push_back(say(
+        "robot {robot} is beneath the object, {distance} from the edge; --snap "
+        "{snap} puts it at the edge",
+        {support_called(settings, nearest), in_brief(least_beneath), enough_for(least_beneath)}));
   return notes;
 }
 

@@ -191,14 +191,15 @@ Nesting nest(const std::vector<ClosedOutline>& outlines);
 
 struct Uniting {
   std::vector<Points> rings;
-  std::size_t united = 0;  // the number of rings that became part of a union
+  std::size_t united = 0;  // the number of rings that became part of a union, or fell out with it
 };
 
 // Replaces rings that touch or cross one another by the outline of their union, counter-clockwise. What a
 // union encloses belongs to it, since it falls out. Where the outline would pass a point twice, it is moved
 // there by a millionth of its size, so that it is simple. Decisions are exact; crossings are rounded. Rings
-// whose union is not simple all the same stay as they are. O(k^2 + n) for k rings of n vertices, and a
-// comparison for each pair of edges in the part of the plane that two rings share, of at most 20 million.
+// whose union is not simple all the same stay as they are, and so do all rings if they have more than 200,000
+// meetings or the work exceeds 20 million: O(m) for each two of k rings whose boxes overlap, with m vertices, and
+// a comparison for each pair of their edges in both boxes. O(k^2) otherwise.
 Uniting unite_touching(const std::vector<Points>& rings);
 
 // --- Joins separate lines, arcs and curves into closed outlines: the bounded faces of the planar graph

@@ -15,8 +15,8 @@
 namespace evenlift {
 namespace {
 
-constexpr std::size_t most_compared = 20'000'000;  // pairs of edges
-constexpr std::size_t most_cuts = 1u << 20;
+constexpr std::size_t most_compared = 20'000'000;  // edges, and pairs of them
+constexpr std::size_t most_cuts = 200'000;
 // Where a union passes a point twice, its two ways are parted by this share of its larger side.
 constexpr double parting = 1e-6;
 
@@ -29,7 +29,10 @@ struct Edge {
   std::size_t ring, number;  // the edge after this vertex of the ring
 };
 
-Box box_of(const Edge& edge) { return bounding_box(Points{edge.from, edge.to}); }
+Box box_of(const Edge& edge) {
+  return {{std::min(edge.from.x, edge.to.x), std::min(edge.from.y, edge.to.y)},
+          {std::max(edge.from.x, edge.to.x), std::max(edge.from.y, edge.to.y)}};
+}
 
 // The places where two edges meet: ends that lie on the other edge, or the point where they cross. The
 // signs are exact; the point of a crossing is rounded.
@@ -61,7 +64,8 @@ class Uniter {
   Uniting unite() {
     if (!find_cuts()) return {rings_, 0};
     std::sort(cuts_.begin(), cuts_.end(), [](const Cut& a, const Cut& b) {
-      return std::tie(a.ring, a.edge, a.far) < std::tie(b.ring, b.edge, b.far);
+      const auto first = std::tie(a.ring, a.edge, a.far), second = std::tie(b.ring, b.edge, b.far);
+      return first < second || (first == second && is_before(a.at, b.at));
     });
     Uniting result;
     std::vector<Points> unions;
@@ -107,9 +111,8 @@ class Uniter {
       for (std::size_t j = i + 1; j < rings_.size(); ++j) {
         if (!overlap(boxes_[i], boxes_[j])) continue;
         const std::vector<Edge> ours = edges_in(i, boxes_[j]), theirs = edges_in(j, boxes_[i]);
-        compared += ours.size() * theirs.size();
-        if (compared > most_compared || cuts_.size() > most_cuts) return false;
-        cut_each_other(ours, theirs);
+        compared += rings_[i].size() + rings_[j].size() + ours.size() * theirs.size();
+        if (compared > most_compared || !cut_each_other(ours, theirs)) return false;
       }
     }
     return true;
@@ -125,9 +128,10 @@ class Uniter {
     return edges;
   }
 
-  void cut_each_other(const std::vector<Edge>& ours, const std::vector<Edge>& theirs) {
+  bool cut_each_other(const std::vector<Edge>& ours, const std::vector<Edge>& theirs) {
     Points found;
     for (const Edge& a : ours) {
+      if (cuts_.size() > most_cuts) return false;
       for (const Edge& b : theirs) {
         if (!overlap(box_of(a), box_of(b))) continue;
         found.clear();
@@ -139,6 +143,7 @@ class Uniter {
                 {edge->ring, edge->number, dot(at - edge->from, edge->to - edge->from), at});
       }
     }
+    return true;
   }
 
   // The vertices of the ring and the places where others meet it, in order.
@@ -239,7 +244,7 @@ class Uniter {
   static void drop_enclosed(const std::vector<Points>& unions, Uniting& result) {
     for (const Points& united : unions) {
       const auto polygon = Polygon::create(united);
-      std::erase_if(result.rings, [&](const Points& ring) {
+      result.united += std::erase_if(result.rings, [&](const Points& ring) {
         return ring != united && is_inside(*polygon, ring.front());
       });
     }

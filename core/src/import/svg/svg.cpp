@@ -159,8 +159,7 @@ Fill SvgReader::fill_of(const Context& context) {
 }
 
 // Clip paths and masks are not applied.
-void SvgReader::note_cut(const Outline& image, const Context& context, const std::string& called) {
-  const Box box = control_box(image);
+void SvgReader::note_cut(const Box& box, const Context& context, const std::string& called) {
   const double near = 1e-3 * larger_side(box);
   const auto& window = context.window;
   const bool is_in_window =
@@ -173,7 +172,7 @@ void SvgReader::note_cut(const Outline& image, const Context& context, const std
 void SvgReader::add(const Outline& outline, const Context& context, const std::string& called,
                     const char* kind) {
   Outline image = placed(outline, context);
-  note_cut(image, context, called);
+  note_cut(control_box(image), context, called);
   gathering_.add(
       {{std::move(image)}, called, kind, fill_of(context), context.look.is_white_page()});
 }
@@ -198,7 +197,11 @@ void SvgReader::path(const pugi::xml_node& node, const Context& context,
     else if (closed || !outline.pieces.empty())  // otherwise a move alone
       drawn.parts.push_back(placed(outline, context));
   }
-  if (!drawn.parts.empty()) note_cut(drawn.parts.front(), context, called);
+  Points ends;
+  for (const Outline& part : drawn.parts)
+    for (const Vec2& corner : {control_box(part).low, control_box(part).high})
+      ends.push_back(corner);
+  if (!ends.empty()) note_cut(bounding_box(ends), context, called);
   gathering_.add(drawn);
 }
 

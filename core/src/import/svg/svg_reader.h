@@ -363,7 +363,7 @@ class SvgReader {
   void add_open(const Outline& outline, const Context& context);
   static Fill fill_of(const Context& context);
   Outline placed(const Outline& outline, const Context& context);
-  void note_cut(const Outline& image, const Context& context, const std::string& called);
+  void note_cut(const Box& box, const Context& context, const std::string& called);
 
   std::string_view text_;
   ImportOptions options_;

@@ -312,9 +312,11 @@ std::optional<Box> SvgReader::window_of(std::string_view id, const Context& insi
       !only.attribute("y"))
     if (const auto original = id_of_original(only)) only = node_of(*original);
   if (local_name(only) != "rect" || only.attribute("transform")) return std::nullopt;
+  Context own = inside;
+  own.declared = {};
   const auto side = [&](const char* name) {
-    const std::string_view text = value_of(only, name);
-    return text.empty() ? std::optional(0.0) : read_number(text);
+    const auto read = length(only, own, name);
+    return read ? std::optional(read->value_or(0)) : std::nullopt;
   };
   const auto x = side("x"), y = side("y"), width = side("width"), height = side("height");
   if (!x || !y || !width || !height) return std::nullopt;

@@ -479,6 +479,8 @@ std::optional<std::size_t> best_column(const std::vector<Reading>& readings, Col
   return best;
 }
 
+}  // namespace
+
 bool is_in_feet(std::string_view heading) {
   const Words words = words_of(heading);
   static constexpr std::string_view feet[] = {"ft", "feet", "foot"};
@@ -488,8 +490,6 @@ bool is_in_feet(std::string_view heading) {
          std::none_of(words.begin(), words.end(),
                       [](const std::string& word) { return is_among(word, survey); });
 }
-
-}  // namespace
 
 Column column_of(std::string_view heading) {
   if (trimmed(heading) == "#") return Column::number;
@@ -526,7 +526,9 @@ Column content_of(std::string_view heading) {
   };
   const bool is_greatest = std::any_of(
       words.begin(), words.end(), [](const std::string& word) { return is_among(word, greatest); });
-  const bool is_unit = words.size() == 1 && weight_unit_in(heading).value_or(0) > 0;
+  // A single letter has other meanings.
+  const bool is_unit =
+      words.size() == 1 && words[0].size() > 1 && weight_unit_in(heading).value_or(0) > 0;
   if (means(Column::capacity) || (is_greatest && means(Column::load))) return Column::capacity;
   for (const Column column :
        {Column::size, Column::thickness, Column::load, Column::name, Column::support})
@@ -546,6 +548,7 @@ std::optional<double> weight_unit_in(std::string_view heading) {
       {"n", newton}, {"dan", 10 * newton}, {"kn", 1000 * newton}};
   for (const auto& [name, kilograms] : known)
     if (same_word(unit, name)) return kilograms;
+  if (is_among(unit, greatest)) return std::nullopt;  // "capacity (max)"
   return open == std::string_view::npos ? std::nullopt : std::optional(0.0);
 }
 

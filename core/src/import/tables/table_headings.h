@@ -106,6 +106,8 @@ Fields names_among(const Fields& words);
 // O(heading).
 LengthUnit unit_in(std::string_view heading);
 
+// Whether the heading says that its column is in feet, other than those of a survey. O(heading).
+bool is_in_feet(std::string_view heading);
 inline constexpr double inches_of_a_foot = 12;
 
 struct NamedColumns {

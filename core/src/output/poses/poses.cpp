@@ -141,7 +141,9 @@ std::string as_yaml(const std::vector<PlacedRobot>& robots, bool carried, bool s
                             shortest(robot.load) + " " + std::string(name(units.weight))})
                      : say("Robot {robot} (team {team}) carries nothing: the object falls",
                            {robot.number, robot.team + 1})) +
-            (robot.name.empty() ? "" : ": " + robot.name) + "\n";
+            "\n";
+    if (!robot.name.empty())
+      text += "  # " + std::string(poses_name) + " " + json::text(robot.name) + "\n";
     if (sized)
       text += "  # " + std::string(poses_lift) + " " + point_in_yaml(robot.at, units) +
               (robot.beneath
