@@ -228,12 +228,13 @@ test("closed rings and third coordinates are taken, with a notice", () => {
   assert.equal(place(plate).notices, undefined);
 });
 
-test("supports may be objects with their capacity", () => {
+test("supports may be objects with their capacity and name", () => {
   const supports = [{ at: [0, 0], capacity: 30 }, { at: [160, 0] }, [80, 50]];
   assert.deepEqual(place(plate, { supports }), place(plate, { supports: "0,0@30 160,0 80,50" }));
-  assert.deepEqual(place(plate, { supports: [{ at: [0, 0], name: "jack" }, [160, 0], [80, 50]] }).notices, [
-    "names of supports are left out",
-  ]);
+  const named = place(plate, { supports: [{ at: [0, 0], name: "jack" }, [160, 0], [80, 50]] });
+  assert.deepEqual(named.support_names, ["jack", null, null]);
+  assert.deepEqual(named, place(plate, { supports: "0,0:jack 160,0 80,50" }));
+  assert.equal(named.robots[0].name, "jack");
 });
 
 test("readings weigh the object, and cases list its loads", () => {
@@ -286,7 +287,8 @@ test("what is no finite number is told of by its vertex, of the centre of mass o
       assert.deepEqual(refused(place, plate, { centre_of_mass: vertex }).place, { centre_of_mass: true });
       assert.equal(refused(experiment, [{ polygon: plate }, { polygon: [vertex] }]).path, "polygons[1].polygon[0]");
     }
-    for (const name of settingNames) {
+    // "NaN" may be a name.
+    for (const name of settingNames.filter((each) => each !== "support_names")) {
       const error = refused(place, plate, { [name]: bad });
       assert.deepEqual([error.code, error.place], ["bad_setting", { setting: name }]);
     }
