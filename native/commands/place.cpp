@@ -213,6 +213,7 @@ Outputs make_outputs(const Input& input, const PlaceOptions& options,
   const Result<Placement> placement = place(input.document, Effort::whole, options.misfitting());
   if (!placement) throw options.input.settings.failure(input, placement.error());
   const ShownPlacement shown(*placement, input.document.shown);
+  tell_loads_outside(input, options.input.settings);
   if (input.document.settings.method == Method::given)
     for (const std::string& note : snap_notes(placement->object, input.document.settings))
       print_failure({0, "--supports", note, {}});

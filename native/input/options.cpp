@@ -272,7 +272,8 @@ std::size_t support_of(std::string_view path) {
   return static_cast<std::size_t>(read_whole(path.substr(0, path.find(']'))).value_or(SIZE_MAX));
 }
 
-// Says which of the typed loads is outside the object.
+}  // namespace
+
 void tell_loads_outside(const Input& input, const SettingOptions& options) {
   if (!options.typed(Setting::cargo)) return;
   const Result<PolygonWithHoles> object = object_of(input.document);
@@ -290,14 +291,11 @@ void tell_loads_outside(const Input& input, const SettingOptions& options) {
   }
 }
 
-}  // namespace
-
 Input InputOptions::read() const {
   if (settings.y_down) write_y_down();
   Input input = read_input(file, shapes);
   tell_y(input.source, input.y_down);
   input.lines_of_supports = apply(input.document);
-  tell_loads_outside(input, settings);
   return input;
 }
 

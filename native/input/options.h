@@ -79,6 +79,9 @@ struct InputOptions {
   void tell_y(const std::string& source, bool y_down) const;
 };
 
+// Says on standard error which of the typed loads is outside the object. O(n) for each load.
+void tell_loads_outside(const Input& input, const SettingOptions& options);
+
 struct PosesAsked {
   std::string file;
   PoseFormat format;

@@ -608,8 +608,8 @@ class Run:
             expect(done.stdout == "" and done.stderr.startswith("evenlift: ") and done.stderr.count("\n") == 1,
                    f"an error is one line on standard error, not {done.stderr!r}")
             return Answer(2, None, done.stderr)
-        # What the snap distance did is told.
-        told = all(line.startswith("evenlift: --supports: ") for line in done.stderr.splitlines())
+        # What the snap distance did is told, and which load is outside.
+        told = all(line.startswith(("evenlift: --supports: ", "evenlift: --cargo: the load at ")) for line in done.stderr.splitlines())
         expect(told, f"a message without an error: {done.stderr!r}")
         return Answer(done.returncode, json.loads(done.stdout), "")
 
@@ -1038,7 +1038,7 @@ def outside_support(rng, program):
 
     def check(answer):
         expect(answer.status == 2, f"exit status {answer.status}, though supports[{at}] is outside")
-        told = re.search(r"--supports: robot (\d+): \((\S+), (\S+)\) is (\S+) outside the object(?:; --snap \S+ puts it at the edge)?\n$", answer.error)
+        told = re.search(r"--supports: robot (\d+): \((\S+), (\S+)\) is (\S+) outside the object(?:; --snap \S+ puts it at the edge)?(?:; \(\S+, \S+\) would be inside: y points up here)?\n$", answer.error)
         expect(told is not None, f"the sentence is {answer.error!r}")
         expect(int(told[1]) == at + 1, f"it names robot {told[1]}, not robot {at + 1}")
         for k in (0, 1):
