@@ -130,8 +130,8 @@ std::string moves_in_words(const std::vector<SupportMove>& moves, const Reported
   std::string text;
   for (const auto& [robot, from, to] : moves)
     text += std::string(text.empty() ? "Moved" : ";") + " robot " +
-            of.placement.support_called(robot) + " from " + point_in_words(from, decimals) +
-            " to " + point_in_words(to, decimals) + ", by " +
+            support_called(of.placement.settings, robot) + " from " +
+            point_in_words(from, decimals) + " to " + point_in_words(to, decimals) + ", by " +
             length_in_words(length(to - from), of.shown.units, Toward::nearest);
   return text + ".";
 }

@@ -69,13 +69,13 @@ void take_readings(const SupportFile& read, const std::string& file, Document& d
   setting_option(Setting::readings, text, document);
 }
 
-// Returns the lines of the robots if the text named a file. If `weigh` is set, takes its readings.
-std::vector<std::size_t> supports_option(const std::string& text, Document& document, bool weigh,
-                                         bool& is_own) {
+// Returns the file if the text named one. If `weigh` is set, takes its readings.
+std::optional<SupportFile> supports_option(const std::string& text, Document& document,
+                                           bool weigh) {
   const std::optional<std::string> file = read_file(text);
   const std::string typed =
       file ? text : in_own_units(Setting::supports, text, document.shown.units);
-  if (!read_setting(Setting::supports, typed, document)) return {};
+  if (!read_setting(Setting::supports, typed, document)) return std::nullopt;
   if (!file && text.find(',') == std::string::npos)
     throw Failure{bad_input_status, "--supports",
                   "there is no file " + text.substr(0, 200) +
@@ -83,9 +83,9 @@ std::vector<std::size_t> supports_option(const std::string& text, Document& docu
                       "\"0,0 160,0 80,90\""};
   if (!file) {
     setting_option(Setting::supports, text, document);  // says what is wrong
-    return {};
+    return std::nullopt;
   }
-  const Result<SupportFile> read = read_support_file(*file);
+  Result<SupportFile> read = read_support_file(*file);
   if (!read) throw bad_input(text, read.error());
   // A hand lifts beneath the object, away from the contact.
   const bool by_contact = document.settings.robot.depth > 0 && !read->contacts.empty();
@@ -104,8 +104,7 @@ std::vector<std::size_t> supports_option(const std::string& text, Document& docu
   document.settings.method = Method::given;
   document.moved = {};
   if (weigh) take_readings(*read, text, document);
-  is_own = read->is_own;
-  return read->lines;
+  return *read;
 }
 
 // Counts y of typed places downward if that was asked for; 0 stays without a sign. Files that evenlift wrote are as
@@ -198,11 +197,10 @@ std::vector<std::size_t> SettingOptions::apply(Document& document) const {
   // The file of supports may need the unit. Supports set the method; another is refused below.
   const Method method = document.settings.method;
   const Typed& supports = typed(Setting::supports);
-  std::vector<std::size_t> lines;
-  bool is_own = false;
-  if (supports) lines = supports_option(*supports, document, weigh, is_own);
-  turn(document, *this, is_own);
-  if (weigh && lines.empty())
+  std::optional<SupportFile> file;
+  if (supports) file = supports_option(*supports, document, weigh);
+  turn(document, *this, file && file->is_own);
+  if (weigh && !file)
     throw Failure{bad_input_status, "--weigh", "applies to --supports with a file of supports"};
   if (typed(Setting::method)) document.settings.method = method;
   for (const Setting needs :
@@ -221,7 +219,7 @@ std::vector<std::size_t> SettingOptions::apply(Document& document) const {
     if (typed(row.setting))
       if (const std::string why = why_unused(row, document.settings); !why.empty())
         throw Failure{bad_input_status, as_typed(row.name), why};
-  return lines;
+  return file ? std::move(file->lines) : std::vector<std::size_t>();
 }
 
 std::optional<std::string> SettingOptions::supports_file() const {

@@ -32,7 +32,7 @@ Kinds kinds_of(Setting setting) {
   if (setting == Setting::readings || setting == Setting::readings_tilted ||
       setting == Setting::reading_error || setting == Setting::support_capacities)
     return {false, true};
-  return {row.is_length, row.range.least == min_weight};
+  return {row.is_length, row.is_weight};
 }
 
 // How many of its own unit the typed one is; nothing if the word is no unit of these kinds.

@@ -328,6 +328,10 @@ TEST_CASE("an error has the path of the member at fault, from 0, and a sentence 
        {"com", "\"com\" is another name of \"centre_of_mass\": give one of them"}},
       {R"({"command": "experiment", "polygons": [{"text": "x"}, {"polygon": [[0, 0], 3]}]})",
        {"polygons[1].polygon[1]", "polygons[1].polygon[1]: a point must be two numbers [x, y]"}},
+      {with(R"("supports": [[0, 1.5], [4, 0.75]], "support_names": 5)"),
+       {"support_names",
+        "The names of the supports must be a name of at most 60 characters for each "
+        "support, with spaces between them, such as north \"south west\"; or none"}},
       {with(R"("flatten": 0)"), {"flatten", "flatten: this length must be a number above 0"}},
       {with(R"("join": -1)"), {"join", "join: this length must be a number above 0"}},
       {with(R"("weight": 1e999)"), {"weight", "weight: this number is too large"}},

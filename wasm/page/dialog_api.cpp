@@ -360,9 +360,9 @@ EMSCRIPTEN_KEEPALIVE const char* page_robots(int first, int count) {
   for (std::size_t i = from; i < to; ++i) {
     const std::string& load = of_supports[i];
     const std::string reading = i < readings.size() ? json::number(readings[i]) : json::text("");
-    rows.push_back(
-        json::array({json::number(robots[i].x), json::number(robots[i].y),
-                     json::text(placement.name_of_support(i)), reading, json::text(load)}));
+    rows.push_back(json::array({json::number(robots[i].x), json::number(robots[i].y),
+                                json::text(evenlift::name_of_support(settings(state), i)), reading,
+                                json::text(load)}));
   }
   return hand_over(json::array(rows));
 }
@@ -371,23 +371,14 @@ EMSCRIPTEN_KEEPALIVE const char* page_robots(int first, int count) {
 
 namespace {
 
-// The document with robots that stand where the user puts them.
-Document with_supports(const AppState& state) {
-  Document document = state.work.document();
-  document.settings = evenlift::view::taken_over(document.settings, *state.derived().placement);
-  document.moved = {};
-  return document;
-}
-
 std::string name_robot(std::size_t robot, const char* text) {
-  Document named = with_supports(app().state);
-  auto& names = named.settings.support_names;
-  names.resize(named.settings.supports.size());
-  names[robot] = text;
-  const std::string all = text_of(evenlift::Setting::support_names, named);
-  if (const auto wrong = read_setting(evenlift::Setting::support_names, all, named))
+  Document named;
+  named.settings.support_names = {text};
+  const std::string name = text_of(evenlift::Setting::support_names, named);
+  if (const auto wrong = read_setting(evenlift::Setting::support_names, name, named))
     return sentence(*wrong);
-  carry_out({EndEdit{}, NameRobot{robot, text}, EndEdit{}});
+  const auto& read = named.settings.support_names;
+  carry_out({EndEdit{}, NameRobot{robot, read.empty() ? std::string() : read[0]}, EndEdit{}});
   return {};
 }
 
@@ -420,7 +411,9 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_robot(int robot, std::size_t axis, con
 EMSCRIPTEN_KEEPALIVE const char* page_set_readings(const char* text) {
   AppState& state = app().state;
   if (!state.derived().placement) return hand_over({});
-  Document weighed = with_supports(state);
+  Document weighed = state.work.document();
+  weighed.settings = evenlift::view::taken_over(weighed.settings, *state.derived().placement);
+  weighed.moved = {};
   if (const auto wrong = read_setting(evenlift::Setting::readings, text, weighed))
     return hand_over(sentence(*wrong));
   if (!weighed.settings.weighed.readings.empty()) {

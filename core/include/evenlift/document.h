@@ -278,8 +278,9 @@ struct Shown {
   bool operator==(const Shown&) const = default;
 };
 
-// What people call a given support: its number from 1 and, in brackets, its name if it has one, such as "4
-// (north)". O(bytes).
+// The name of a given support, "" if it has none; and what people call it: its number from 1 and, in
+// brackets, its name if it has one, such as "4 (north)". O(bytes).
+std::string_view name_of_support(const Settings& settings, std::size_t support);
 std::string support_called(const Settings& settings, std::size_t support);
 
 // The given goal, or else the default: `hold` for four or more balanced robots, otherwise `cover`.

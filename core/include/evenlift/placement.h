@@ -47,12 +47,13 @@ struct Placement {
     return robot < supports.size() ? supports[robot] : static_cast<std::uint32_t>(robot);
   }
   std::uint32_t number_of(std::size_t robot) const { return support_of(robot) + 1; }
-  // The name of the support at which a given robot stands; "" if it has none. O(1).
-  std::string_view name_of(std::size_t robot) const { return name_of_support(support_of(robot)); }
-  std::string_view name_of_support(std::size_t support) const;
-  // A robot's number and, in brackets, its name if it has one: "4" or "4 (north)". O(bytes).
-  std::string called(std::size_t robot) const { return support_called(support_of(robot)); }
-  std::string support_called(std::size_t support) const;
+  // Of the support at which a given robot stands (document.h). O(bytes).
+  std::string_view name_of(std::size_t robot) const {
+    return name_of_support(settings, support_of(robot));
+  }
+  std::string called(std::size_t robot) const {
+    return support_called(settings, support_of(robot));
+  }
 
   PolygonWithHoles object;
   Vec2 own_centre;                   // of the object without cargo: given, weighed, or the centroid

@@ -124,6 +124,7 @@ struct SettingRow {
   std::string_view json = {};  // the name of its JSON member, if that is not `name`
   Listed in_document = Listed::never, in_result = Listed::never;
   bool is_length = false;  // in the document's unit of length
+  bool is_weight = false;  // in its unit of weight
   bool plans = true;       // whether the number of robots needed depends on it (capacity.h)
   bool told = true;  // of settings with Changes::shown: whether reports depend on it (report.h)
 

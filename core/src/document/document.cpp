@@ -18,11 +18,16 @@ double total_weight(const Settings& settings) {
   return weight;
 }
 
+std::string_view name_of_support(const Settings& settings, std::size_t support) {
+  const std::vector<std::string>& names = settings.support_names;
+  const bool has_name = settings.method == Method::given && support < names.size();
+  return has_name ? std::string_view(names[support]) : std::string_view();
+}
+
 std::string support_called(const Settings& settings, std::size_t support) {
   const std::string number = std::to_string(support + 1);
-  const std::vector<std::string>& names = settings.support_names;
-  const bool has_name = support < names.size() && !names[support].empty();
-  return has_name ? number + " (" + names[support] + ")" : number;
+  const std::string_view name = name_of_support(settings, support);
+  return name.empty() ? number : number + " (" + std::string(name) + ")";
 }
 
 std::string_view name(Method method) {

@@ -273,6 +273,8 @@ DocumentReader::Problem DocumentReader::take_value(const SettingRow& row, Index 
   if (is_array && setting == Setting::supports) return take_supports(at, document);
   if (is_array && setting == Setting::support_names) return take_names(at, document);
   const bool is_text = tree_.kind(at) == Kind::string;
+  if (!is_text && setting == Setting::support_names)
+    return error(at, requirement(setting), ErrorCode::bad_setting);
   if (!is_text && setting == Setting::cargo)
     return error(
         at,

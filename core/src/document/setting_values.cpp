@@ -302,6 +302,17 @@ std::optional<std::string> name_after(std::string_view text, std::size_t from) {
 
 }  // namespace
 
+namespace {
+
+// No names, if none of them says anything.
+std::vector<std::string> if_any(std::vector<std::string> names) {
+  const bool has_any =
+      std::any_of(names.begin(), names.end(), [](const auto& name) { return !name.empty(); });
+  return has_any ? std::move(names) : std::vector<std::string>();
+}
+
+}  // namespace
+
 std::string name_text(std::string_view name) {
   const bool is_plain =
       !name.empty() && name != "none" && name.find_first_of(" \"") == std::string_view::npos;
@@ -333,9 +344,7 @@ bool read_names(std::string_view text, std::vector<std::string>& names) {
                       return true;
                     });
   if (!good || (read.empty() && text != "none")) return false;
-  const bool has_any =
-      std::any_of(read.begin(), read.end(), [](const auto& name) { return !name.empty(); });
-  names = has_any ? std::move(read) : std::vector<std::string>();
+  names = if_any(std::move(read));
   return true;
 }
 
@@ -376,22 +385,19 @@ bool read_supports(std::string_view text, Document& document) {
   Points supports;
   Capacities capacities;
   std::vector<std::string> names;
-  bool has_names = false;
   const bool good = text == "none" || for_each_item(text, [&](std::string_view word) {
                       std::optional<Given> given = read_support(word);
                       if (!given || supports.size() == most_supports) return false;
                       supports.push_back(given->at);
                       capacities.push_back(given->capacity);
                       names.emplace_back(trimmed(given->name));
-                      has_names = has_names || !names.back().empty();
                       return true;
                     });
   if (!good || (supports.empty() && text != "none")) return false;
   if (!are_capacities(capacities)) capacities.clear();  // none is given
   document.settings.supports = std::move(supports);
   document.shown.support_capacities = std::move(capacities);
-  if (!has_names) names.clear();
-  document.settings.support_names = std::move(names);
+  document.settings.support_names = if_any(std::move(names));
   if (!document.settings.supports.empty()) document.settings.method = Method::given;
   return true;
 }

@@ -298,7 +298,8 @@ class Gathered {
     std::string name = {};
   };
 
-  Problem add(const Support& support, std::size_t offset) {
+  // `line` is counted from 1; 0 where lines say nothing, as in JSON.
+  Problem add(const Support& support, std::size_t offset, std::size_t line = 0) {
     if (supports_.places.size() == most_supports)
       return error(offset, "there are more than 1000 robots");
     if (support.capacity && !is_in_range(Setting::capacity, *support.capacity))
@@ -308,7 +309,7 @@ class Gathered {
     has_contacts_ = has_contacts_ || support.contact;
     supports_.capacities.push_back(support.capacity);
     supports_.names.push_back(name_of(support.name));
-    supports_.lines.push_back(line_at(offset));
+    if (line > 0) supports_.lines.push_back(line);
     return std::nullopt;
   }
 
@@ -327,13 +328,8 @@ class Gathered {
     return text_error(ErrorCode::bad_syntax, std::move(message), text_, offset);
   }
 
-  // Of evenlift's own file, whose places are its own coordinates.
-  Result<SupportFile> finish_own(LengthUnit unit) {
-    supports_.is_own = true;
-    return finish(unit);
-  }
-
-  Result<SupportFile> finish(LengthUnit unit = LengthUnit::none) {
+  // `is_own` marks a file that evenlift wrote.
+  Result<SupportFile> finish(LengthUnit unit, bool is_own) {
     if (supports_.places.empty()) return error(0, "there are no robots here");
     const auto& all = supports_.capacities;
     if (std::none_of(all.begin(), all.end(), [](const auto& each) { return each.has_value(); }))
@@ -344,6 +340,7 @@ class Gathered {
       supports_.names.clear();
     if (!has_contacts_) supports_.contacts.clear();
     supports_.unit = unit;
+    supports_.is_own = is_own;
     return supports_;
   }
 
@@ -353,15 +350,6 @@ class Gathered {
     std::string name = clean_name(label);
     while (fault_of_name(name)) name.pop_back();
     return std::string(trimmed(name));
-  }
-
-  // Robots come in the order of the text.
-  std::size_t line_at(std::size_t offset) {
-    line_ += static_cast<std::size_t>(
-        std::count(text_.begin() + static_cast<std::ptrdiff_t>(counted_),
-                   text_.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
-    counted_ = offset;
-    return line_;
   }
 
   // 1, 2, 3 ...
@@ -374,7 +362,6 @@ class Gathered {
   std::string_view text_;
   SupportFile supports_;
   bool has_contacts_ = false;
-  std::size_t line_ = 1, counted_ = 0;
 };
 
 // --- JSON: a result (robots[].at), poses (robots[].x, y) or an array of points
@@ -408,7 +395,7 @@ class JsonSupports {
               gathered_.add({*at, contact(i), capacity(i), std::string(name(i))}, tree_.offset(i)))
         return *wrong;
     }
-    return is_own ? gathered_.finish_own(unit) : gathered_.finish(unit);
+    return gathered_.finish(unit, is_own);
   }
 
  private:
@@ -516,11 +503,11 @@ Result<SupportFile> read_poses(std::string_view text) {
     const auto at = point_after(*position, "");
     if (!at) return gathered.error(offset, "expected a position {x: 0.5, y: 1.0, z: 0.0}");
     next.at = lifts.value_or(*at);
-    if (auto wrong = gathered.add(next, offset)) return *wrong;
+    if (auto wrong = gathered.add(next, offset, line->number)) return *wrong;
     next = {};
     lifts.reset();
   }
-  return gathered.finish_own(LengthUnit::m);
+  return gathered.finish(LengthUnit::m, true);
 }
 
 // --- A table with a heading
@@ -532,15 +519,9 @@ struct Columns {
   bool is_in_feet = false;
 };
 
-// Evenlift's own tables of poses have columns that say nothing more here.
-bool is_of_poses(std::string_view heading) {
-  static constexpr std::string_view own[] = {"robot", "team", "heading_deg", "x", "y"};
-  return std::any_of(std::begin(own), std::end(own),
-                     [&](std::string_view each) { return same_word(heading, each); });
-}
-
-// Of several columns of loads, capacities or names, the first counts. Loads and capacities are numbers in the first row.
-Columns columns_of(const Fields& headings, const Fields& first_row, bool decimal_comma,
+// The columns by what their headings mean. Of several loads, capacities or names the first counts; loads
+// and capacities are numbers in the first row. Notes which columns are left out.
+Columns columns_of(const Fields& headings, const Fields& first_row, const CellStyle& style,
                    Gathered& gathered) {
   Columns columns;
   for (std::size_t i = headings.size(); i-- > 0;) {
@@ -554,45 +535,59 @@ Columns columns_of(const Fields& headings, const Fields& first_row, bool decimal
     columns.y = named->y;
   }
   columns.is_in_feet = named && named->is_in_feet;
-  std::pair<std::string_view, Cell*> own[] = {{"unit", &columns.unit},
-                                              {"weight_unit", &columns.weight_unit},
-                                              {"contact_x", &columns.contact_x},
-                                              {"contact_y", &columns.contact_y},
-                                              {"at_x", &columns.x},
-                                              {"at_y", &columns.y}};
-  std::vector<char> used(headings.size());
-  Cell support, number;
+  // In evenlift's own tables of poses; those without a place say nothing more here.
+  const std::pair<std::string_view, Cell*> own[] = {{"unit", &columns.unit},
+                                                    {"weight_unit", &columns.weight_unit},
+                                                    {"contact_x", &columns.contact_x},
+                                                    {"contact_y", &columns.contact_y},
+                                                    {"at_x", &columns.x},
+                                                    {"at_y", &columns.y},
+                                                    {"x", nullptr},
+                                                    {"y", nullptr},
+                                                    {"team", nullptr},
+                                                    {"heading_deg", nullptr}};
   const auto may_be_amount = [&](std::size_t i) {
     return i >= first_row.size() || first_row[i].empty() ||
-           cell_number(first_row[i], decimal_comma).has_value();
+           cell_number(first_row[i], style.decimal_comma).has_value();
+  };
+  const auto leave_out = [&](std::size_t i) {
+    gathered.note(say("the column {name} was left out", {in_quotes(clean_name(headings[i]))}));
+  };
+  Cell support, number;
+  const auto cell_for = [&](std::size_t i) -> Cell* {
+    switch (content_of(headings[i])) {
+      case Column::name:
+        return &columns.name;
+      case Column::support:
+        return &support;
+      case Column::capacity:
+        return may_be_amount(i) ? &columns.capacity : nullptr;
+      case Column::load:
+        return may_be_amount(i) ? &columns.reading : nullptr;
+      default:
+        return nullptr;
+    }
   };
   for (std::size_t i = 0; i < headings.size(); ++i) {
     const auto found = std::find_if(std::begin(own), std::end(own), [&](const auto& each) {
       return same_word(headings[i], each.first);
     });
-    Cell* cell = found == std::end(own) ? nullptr : found->second;
-    const Column content =
-        cell || i == columns.x || i == columns.y ? Column::other : content_of(headings[i]);
-    if (content == Column::capacity && may_be_amount(i)) cell = &columns.capacity;
-    if (content == Column::load && may_be_amount(i)) cell = &columns.reading;
-    if (content == Column::name) cell = &columns.name;
-    if (content == Column::support) cell = &support;
-    if (content == Column::other && !cell && column_of(headings[i]) == Column::number)
-      cell = &number;
-    const bool is_own = found != std::end(own);
-    if (cell && (is_own || !*cell)) {
-      *cell = i;
-      used[i] = 1;
+    if (found != std::end(own)) {
+      if (found->second) *found->second = i;
+      continue;
     }
+    if (i == columns.x || i == columns.y || headings[i].empty()) continue;
+    const bool numbers = column_of(headings[i]) == Column::number;
+    Cell* cell = cell_for(i);
+    if (!cell && numbers) cell = &number;
+    if (cell && !*cell)
+      *cell = i;
+    else if (!numbers)
+      leave_out(i);
   }
-  if (columns.name && support) used[*support] = column_of(headings[*support]) == Column::number;
+  // The robots of poses have both.
+  if (columns.name && support && !same_word(headings[*support], "robot")) leave_out(*support);
   if (!columns.name) columns.name = support ? support : number;
-  for (std::size_t i = 0; i < headings.size(); ++i) {
-    const bool tells = used[i] != 0 || i == columns.x || i == columns.y || headings[i].empty() ||
-                       is_of_poses(headings[i]) || column_of(headings[i]) == Column::number;
-    if (!tells)
-      gathered.note(say("the column {name} was left out", {in_quotes(clean_name(headings[i]))}));
-  }
   return columns;
 }
 
@@ -603,18 +598,19 @@ class SupportTable {
   Result<SupportFile> read() {
     Lines lines(text_);
     const auto heading = lines.next();
-    separator_ = heading ? separator_of(heading->text) : ' ';
-    if (heading) headings_ = split_cells(heading->text, separator_);
+    if (heading) {
+      style_ = style_of_line(heading->text);
+      headings_ = split_cells(heading->text, style_.separator);
+    }
     Lines ahead = lines;
     const auto first = ahead.next();
-    columns_ = columns_of(headings_, first ? split_cells(first->text, separator_) : Fields{},
-                          separator_ != ',' && separator_ != ' ', gathered_);
+    columns_ = columns_of(headings_, first ? split_cells(first->text, style_.separator) : Fields{},
+                          style_, gathered_);
     if (auto wrong = take_headings()) return *std::move(wrong);
     for (auto line = lines.next(); line; line = lines.next())
-      if (auto wrong = take_row(line->text)) return *std::move(wrong);
+      if (auto wrong = take_row(*line)) return *std::move(wrong);
     gathered_.set_units(unit_of_capacities_, unit_of_readings_);
-    return has_field(headings_, "heading_deg") ? gathered_.finish_own(unit_)
-                                               : gathered_.finish(unit_);
+    return gathered_.finish(unit_, has_field(headings_, "heading_deg"));
   }
 
  private:
@@ -673,7 +669,7 @@ class SupportTable {
 
   std::optional<double> value(const Fields& cells, const Cell& column) const {
     const std::string_view text = cell(cells, column);
-    return text.empty() ? std::nullopt : cell_number(text, separator_ != ',' && separator_ != ' ');
+    return text.empty() ? std::nullopt : cell_number(text, style_.decimal_comma);
   }
 
   std::optional<Vec2> point(const Fields& cells, const Cell& across, const Cell& up) const {
@@ -683,9 +679,9 @@ class SupportTable {
     return columns_.is_in_feet ? inches_of_a_foot * at : at;
   }
 
-  Problem take_row(std::string_view line) {
-    const Fields cells = split_cells(line, separator_);
-    const auto offset = static_cast<std::size_t>(line.data() - text_.data());
+  Problem take_row(const Line& line) {
+    const Fields cells = split_cells(line.text, style_.separator);
+    const auto offset = static_cast<std::size_t>(line.text.data() - text_.data());
     if (cells.size() > headings_.size())
       return gathered_.error(offset,
                              "the line has more cells than the first line; decimals with a "
@@ -697,8 +693,8 @@ class SupportTable {
       return gathered_.error(offset, "the capacity is not a number");
     if (auto wrong = take_units(cells, offset)) return wrong;
     const auto contact = point(cells, columns_.contact_x, columns_.contact_y);
-    if (auto wrong =
-            gathered_.add({*at, contact, capacity, name_in(cell(cells, columns_.name))}, offset))
+    if (auto wrong = gathered_.add({*at, contact, capacity, name_in(cell(cells, columns_.name))},
+                                   offset, line.number))
       return wrong;
     if (const auto reading = value(cells, columns_.reading); reading && *reading >= 0)
       gathered_.add_reading(*reading);
@@ -725,7 +721,7 @@ class SupportTable {
 
   std::string_view text_;
   Gathered gathered_;
-  char separator_ = ' ';
+  CellStyle style_;
   Fields headings_;
   Columns columns_;
   LengthUnit unit_ = LengthUnit::none;

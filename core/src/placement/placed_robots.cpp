@@ -211,17 +211,6 @@ double degrees_of(const Vec2& direction) {
 
 }  // namespace
 
-std::string_view Placement::name_of_support(std::size_t support) const {
-  const std::vector<std::string>& names = settings.support_names;
-  const bool has_name = settings.method == Method::given && support < names.size();
-  return has_name ? std::string_view(names[support]) : std::string_view();
-}
-
-std::string Placement::support_called(std::size_t support) const {
-  return settings.method == Method::given ? evenlift::support_called(settings, support)
-                                          : std::to_string(support + 1);
-}
-
 std::vector<PlacedRobot> placed_robots(const Placement& placement) {
   const Outline outline(placement.vertices(), near_distance(diameter(placement)));
   std::vector<PlacedRobot> robots;

@@ -426,17 +426,13 @@ void SvgReader::say_what_is_unseen() {
   for (std::size_t i = 0; i < hidden_; ++i) left_out.add(one, many);
   for (std::size_t i = 0; i < hairs_; ++i) left_out.add("loop of a hair", "loops of a hair");
   if (cut_ > 0) {
-    const std::string name = first_cut_.empty() ? std::string() : in_quotes(clean_name(first_cut_));
-    const bool one = cut_ == 1;
-    gathering_.note(
-        name.empty()
-            ? say(one ? "{count} shape is cut by a clip path or a mask, which is not applied"
+    std::string note =
+        say(cut_ == 1 ? "{count} shape is cut by a clip path or a mask, which is not applied"
                       : "{count} shapes are cut by clip paths or masks, which are not applied",
-                  {cut_})
-            : say(one ? "{count} shape is cut by a clip path or a mask, which is not applied: {name}"
-                      : "{count} shapes are cut by clip paths or masks, which are not applied, the "
-                        "first of them {name}",
-                  {cut_, name}));
+            {cut_});
+    if (!first_cut_.empty())
+      note += ": " + in_quotes(clean_name(first_cut_)) + (cut_ > 1 ? ", …" : "");
+    gathering_.note(note);
   }
   if (!styles_.skipped().empty())
     gathering_.note(say("the style of {selector} was left out: it is not understood",

@@ -75,7 +75,7 @@ std::string left_out_sentence(const Placement& placement, const Misplaced& first
   for (const Misplaced& each : placement.left_out)
     if (each.kind == first.kind && each.in_hole == first.in_hole)
       numbers.push_back(is_hole ? std::to_string(each.index + std::size_t{1})
-                                : placement.support_called(each.index));
+                                : support_called(placement.settings, each.index));
   const bool one = numbers.size() == 1;
   const std::string named = listed_briefly(numbers);
   if (is_hole)
