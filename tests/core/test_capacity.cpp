@@ -360,6 +360,7 @@ TEST_CASE("no setting changes a plan unnoticed", "[capacity][slow]") {
       {"supports", {"0,0 500,0 400,900"}},
       {"snap", {"5"}},
       {"support_capacities", {"none"}},
+      {"support_names", {"north"}},
       {"cargo", {"300,300:40", "500,500:300"}},
       {"readings", {"10 20 30"}},
       {"reading_error", {"1%", "2"}},

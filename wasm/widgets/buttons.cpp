@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "ui/controls.h"
@@ -60,11 +61,15 @@ bool flat_button(const Ui& ui, const char* id, const char* label, float width, b
   const Colour still = strong && enabled ? ui.theme.accent : ui.theme.well;
   const Colour hovered = strong ? ui.theme.accent.at(0.88f) : ui.theme.panel_line;
   list.AddRectFilled(a.low, a.high, (a.hovered ? hovered : still).packed(), 7);
-  const ImVec2 text = text_size(Face::text, label);
-  note_room(label, text.x, width);
+  // A long label is smaller, and cut if that does not suffice.
+  const float room = width - 8;
+  const Face face = text_size(Face::text, label).x <= room ? Face::text : Face::label;
+  note_room(label, text_size(face, label).x, width);
+  const std::string words = cut_off(face, label, room);
+  const ImVec2 text = text_size(face, words);
   const Colour ink = !enabled ? ui.theme.quiet : strong ? ui.theme.on_accent : ui.theme.text;
-  draw_text(list, Face::text, ImVec2(a.middle().x - text.x / 2, a.middle().y - text.y / 2), ink,
-            label);
+  draw_text(list, face, ImVec2(a.middle().x - text.x / 2, a.middle().y - text.y / 2), ink, words);
+  if (a.hovered && words != label) tip(ui, label);
   return a.pressed;
 }
 

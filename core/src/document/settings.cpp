@@ -480,6 +480,7 @@ constexpr SettingRow rows[] = {
      .name = "support_names",
      .subject = "the names of the supports",
      .edit = "the names of the supports",
+     .changes = Changes::loads,
      .counts_for = CountsFor::given,
      .rule =
          "must be a name of at most 60 characters for each support, with spaces between them, such "
