@@ -671,6 +671,20 @@ TEST_CASE("GeoJSON: every polygon of a collection, by its name", "[import][geojs
   CHECK(refusal("{}").find("neither GeoJSON") != std::string::npos);
 }
 
+TEST_CASE("JSON that a script assigns to a variable is read as JSON", "[import][geojson]") {
+  const std::string json = R"({"type":"Polygon",
+ "coordinates":[[[0,0],[30,0],[30,20.5],[0,0]]]})";
+  for (const char* before : {"features = ", "var plate =\n", "const a.b_1 = "})
+    for (const char* after : {"", ";", ";\n"}) {
+      const Result<Import> import = read_shapes(before + json + after);
+      REQUIRE(import);
+      CHECK(import->shapes[0].document.vertices == Points{{0, 0}, {30, 0}, {30, 20.5}});
+    }
+  CHECK_FALSE(read_shapes("f(" + json + ")"));
+  CHECK_FALSE(read_shapes("a = " + json + "; b()"));
+  CHECK(refusal("a = [[0, 0], [30, 0],\n[30]]").find("line 2, column 1") == 0);
+}
+
 TEST_CASE("a result opens again with all its settings", "[import][json]") {
   Document document;
   document.vertices = triangle;
@@ -785,6 +799,8 @@ TEST_CASE("files of other kinds are refused with what to do", "[import]") {
   CHECK(refusal("\x89PNG\r\n").find("trace it") != std::string::npos);
   CHECK(refusal("PK\x03\x04").find("CSV") != std::string::npos);
   CHECK(refusal(std::string("\0\0", 2)).find("not text") != std::string::npos);
+  CHECK(refusal("town\n1\n\t8.1 47.0\n\t8.2 47.0\n\t8.2 47.1\nEND\nEND\n").find("(.poly)") !=
+        std::string::npos);
   CHECK(refusal("").find("the text is empty") != std::string::npos);
   CHECK_FALSE(read_shapes("0 0\n1 0\n1 1\n", {-1.0}).ok());
   CHECK_FALSE(read_shapes("0 0\n1 0\n1 1\n", {HUGE_VAL}).ok());

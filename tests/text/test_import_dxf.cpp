@@ -143,14 +143,30 @@ TEST_CASE("DXF: blocks within blocks, and their objects on layer 0", "[import][d
     }));
 }
 
-TEST_CASE("DXF: an arc that ends where it begins is a circle", "[import][dxf]") {
-  for (const double end : {0.0, 360.0}) {
-    const Import import =
-        read(drawing(lines({{0, "ARC"}, {10, 1}, {20, 0}, {40, 2}, {50, 0}, {51, end}})), {1e-5});
-    REQUIRE(import.shapes.size() == 1);
-    CHECK(std::abs(signed_area(import.shapes[0].document.vertices)) ==
-          Approx(4 * 3.14159265).epsilon(1e-4));
-  }
+TEST_CASE("DXF: an arc of a full turn is a circle", "[import][dxf]") {
+  const Import import =
+      read(drawing(lines({{0, "ARC"}, {10, 1}, {20, 0}, {40, 2}, {50, 0}, {51, 360}})), {1e-5});
+  REQUIRE(import.shapes.size() == 1);
+  CHECK(std::abs(signed_area(import.shapes[0].document.vertices)) ==
+        Approx(4 * 3.14159265).epsilon(1e-4));
+}
+
+TEST_CASE("DXF: arcs that programs leave at corners, from an angle to itself, are left out",
+          "[import][dxf]") {
+  // A plate with a round corner, beside which trimming left an arc of no length, and a hole.
+  const Import import =
+      read(drawing(lines({{0, "LINE"}, {10, 0}, {20, 0}, {11, 40}, {21, 0}}) +
+                   lines({{0, "LINE"}, {10, 40}, {20, 0}, {11, 40}, {21, 20}}) +
+                   lines({{0, "ARC"}, {10, 30}, {20, 20}, {40, 10}, {50, 0}, {51, 90}}) +
+                   lines({{0, "ARC"}, {10, 30}, {20, 20}, {40, 10}, {50, 90}, {51, 90}}) +
+                   lines({{0, "LINE"}, {10, 30}, {20, 30}, {11, 0}, {21, 30}}) +
+                   lines({{0, "LINE"}, {10, 0}, {20, 30}, {11, 0}, {21, 0}}) +
+                   lines({{0, "CIRCLE"}, {10, 28}, {20, 18}, {40, 2}})));
+  REQUIRE(import.shapes.size() == 1);
+  CHECK(import.shapes[0].document.holes.size() == 1);
+  CHECK(std::any_of(import.notes.begin(), import.notes.end(), [](const std::string& note) {
+    return note == "1 arc of no length was left out";
+  }));
 }
 
 TEST_CASE("DXF: each side of a polyline has its own bulge, the closing one too", "[import][dxf]") {

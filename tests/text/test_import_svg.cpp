@@ -571,6 +571,13 @@ TEST_CASE("SVG: in a copied group, shapes keep names of their own", "[import][sv
   CHECK(names_in(import) == std::vector<std::string>{"plate", "copy"});
 }
 
+TEST_CASE("SVG: an outline joined from parts of one path has the path's name", "[import][svg]") {
+  const Import joined = read(svg(R"(<g id="layer"><path id="bracket" fill="none" stroke="red"
+      d="M0 0L9 0M9 0L9 9M9 9L0 0"/></g>)"));
+  REQUIRE(joined.shapes.size() == 1);
+  CHECK(joined.shapes[0].name == "bracket");
+}
+
 TEST_CASE("SVG: a shape that a clip path or a mask cuts is named, since it is read whole",
           "[import][svg]") {
   const auto notes = [](const std::string& clip, const std::string& shape) {

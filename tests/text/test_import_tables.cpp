@@ -141,6 +141,29 @@ TEST_CASE("columns: rows that change their columns or their word are refused",
   CHECK(same_vertices(only("G1 0 0\nG2 30 0\nG3 30 20.5\n"), corner));
 }
 
+TEST_CASE("columns: within a column of kinds, the column of names parts the shapes",
+          "[import][columns]") {
+  const std::string kinds =
+      "PtID,East,North,Code,Object\n1,0,0,Edge,A\n2,0,3,Edge,A\n3,4,3,Edge,A\n4,10,3,Edge,B\n"
+      "5,10,0,Edge,B\n6,6,0,Edge,B\n";
+  const std::string points = "7,20,0,Post,P1\n8,21,0,Post,P2\n9,21,1,Post,P3\n";
+  for (const std::string& text : {kinds, kinds + points}) {
+    const Result<Import> import = read_shapes(text);
+    REQUIRE(import);
+    REQUIRE(import->shapes.size() == 2);
+    CHECK(import->shapes[0].name == "A");
+    CHECK(same_vertices(import->shapes[0].document.vertices, {{0, 0}, {0, 3}, {4, 3}}));
+    CHECK(same_vertices(import->shapes[1].document.vertices, {{10, 3}, {10, 0}, {6, 0}}));
+  }
+  CHECK(notes(kinds + points).back() == "3 groups of fewer than three points were left out");
+  // A mark at one point of an outline is not the name of a shape.
+  const std::string marked =
+      "East,North,Mark\n0,0,edge\n9,0,edge\n9,5,edge\n9,9,corner\n0,9,edge\n0,5,edge\n1,4,edge\n";
+  const Result<Import> one = read_shapes(marked);
+  REQUIRE(one);
+  CHECK(one->shapes.size() == 1);
+}
+
 TEST_CASE("columns: a column that numbers or names the shapes parts them", "[import][columns]") {
   const Notes two = {"\"A\", points, 3 vertices, 4 x 4", "\"B\", points, 3 vertices, 3 x 2"};
   const std::string named =

@@ -71,6 +71,22 @@ void shuffle(std::vector<T>& all, Rng& random) {
 
 }  // namespace
 
+TEST_CASE("outlines that close alone stay whole where one's corners touch the other's edges",
+          "[joining][import]") {
+  // One corner touches an edge that two others cross; and a hole with two corners on the edges.
+  const Points pentagon = {{10, 80}, {15, 83}, {18, 81}, {18, 79}, {15, 77}};
+  const Points diamond = {{0, 40}, {60, 0}, {115, 40}, {60, 75}};
+  for (const Points& other : {pentagon, diamond}) {
+    const double area = signed_area(other) < 0 ? -signed_area(other) : signed_area(other);
+    const Joining joining = join(sides(plate) + sides(other));
+    CHECK(areas(joining) == std::vector<double>{120 * 80, area});
+    CHECK(joining.open.empty());
+  }
+  // A line between two edges still cuts the plate.
+  CHECK(areas(join(sides(plate) + std::vector<DrawnPiece>{line({50, 0}, {50, 80})})) ==
+        std::vector<double>{70 * 80, 50 * 80});
+}
+
 TEST_CASE("lines become the outline that they draw, in whatever order and direction",
           "[joining][import]") {
   std::vector<DrawnPiece> pieces = sides(plate);

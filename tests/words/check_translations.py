@@ -68,7 +68,8 @@ def texts_in(source, is_script):
     for found in literal.finditer(source):
         if found["text"]:
             # Lines of the algorithm are looked up without indent.
-            if not is_message_to_developers(source, found.start()) and not is_help(source, found.start()):
+            is_list = source.startswith("_words", found.end())  # of words that files have
+            if not is_list and not is_message_to_developers(source, found.start()) and not is_help(source, found.start()):
                 text = unescaped(found["text"])
                 yield text.lstrip(" ") if text.startswith("  ") else text, False
         elif found["raw"]:

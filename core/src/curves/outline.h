@@ -32,6 +32,10 @@ struct CurvePiece {
   double weight = 1;   // of a conic's control point, in (0, 1]
 };
 
+// Points count as one if they are closer than this share of their shape's larger side, since
+// drawings repeat points, and ends that should meet differ a little.
+inline constexpr double same_point = 1e-5;
+
 inline constexpr std::size_t max_spline_degree = 10;
 inline constexpr std::size_t max_spline_pieces = std::size_t{1} << 20;
 
@@ -65,11 +69,10 @@ struct Outline {
   // Lines are exact, and so are parabolas and cubics without weights. A conic is exact if its
   // control point has a weight of at most 1 once its ends are given the weight 1. Other curves
   // deviate by at most 1e-7 s, unless weights differ so much that 10 halvings of a span do not
-  // suffice. The outline ends once it has more than `most` pieces. O(p degree^3 + pieces degree^2).
+  // suffice. The outline ends once it has more than max_spline_pieces. O(p degree^3 + pieces degree^2).
   static std::optional<Outline> b_spline(const Points& control, const std::vector<double>& knots,
                                          std::size_t degree,
-                                         const std::vector<double>& weights = {},
-                                         std::size_t most = max_spline_pieces);
+                                         const std::vector<double>& weights = {});
 };
 
 // reversed() returns the outline from its end to its start, and transformed() its image under a
@@ -84,25 +87,5 @@ Box control_box(const Outline& outline);
 // curve is farther than `tolerance` (> 0) from the curve's edges, nor any point of these edges from
 // the curve. Returns nothing if there would be more than `most` points. O(points).
 std::optional<Points> flatten(const Outline& outline, double tolerance, std::size_t most);
-
-// --- Rational Bézier curves of any degree up to 10, and their conversion to the pieces of outlines.
-
-// A control point (x, y) of weight w > 0, as (x w, y w, w).
-using WeightedPoint = Vec3;
-
-struct RationalBezier {
-  std::size_t degree = 1;
-  WeightedPoint points[max_spline_degree + 1];
-};
-
-// Appends the curve, which begins where the outline ends. Lines are exact. A conic is exact if its
-// control point has a weight of at most 1 once its ends are given the weight 1. Any other curve is
-// halved until each part is near its cubic, which has the same ends and the same derivatives there:
-// no point of the part may be farther than `tolerance` (>= 0) from the cubic's point at the same
-// parameter. Then the cubics are appended. A part that is still too far from its cubic after 10
-// halvings becomes a line. Control points are relative to `origin`, which should be near them.
-// Stops when the outline has more than `most` pieces. O(pieces degree^2).
-void add_rational(Outline& outline, const RationalBezier& curve, const Vec2& origin,
-                  double tolerance, std::size_t most);
 
 }  // namespace evenlift

@@ -13,6 +13,14 @@ namespace {
 
 constexpr int most_bezier_halvings = 10;
 
+// A control point (x, y) of weight w > 0, as (x w, y w, w).
+using WeightedPoint = Vec3;
+
+struct RationalBezier {
+  std::size_t degree = 1;
+  WeightedPoint points[max_spline_degree + 1];
+};
+
 Vec2 plain(const WeightedPoint& p) { return Vec2(p.x, p.y) / p.z; }
 
 struct Cubic {
@@ -60,10 +68,17 @@ std::pair<RationalBezier, RationalBezier> halves(const RationalBezier& curve) {
   return {left, right};
 }
 
+// Appends curves, each of which begins where the outline ends. Lines are exact. A conic is exact if
+// its control point has a weight of at most 1 once its ends are given the weight 1. Any other curve
+// is halved until each part is near its cubic, which has the same ends and the same derivatives
+// there: no point of the part may be farther than `tolerance` (>= 0) from the cubic's point at the
+// same parameter. A part that is still too far after 10 halvings becomes a line. Control points are
+// relative to `origin`, which should be near them. Stops when the outline has more than
+// max_spline_pieces. O(pieces degree^2).
 class Converter {
  public:
-  Converter(Outline& outline, const Vec2& origin, double tolerance, std::size_t most)
-      : outline_(outline), origin_(origin), tolerance_(tolerance), most_(most) {}
+  Converter(Outline& outline, const Vec2& origin, double tolerance)
+      : outline_(outline), origin_(origin), tolerance_(tolerance) {}
 
   void add(const RationalBezier& curve) {
     if (curve.degree == 1) return outline_.line_to(origin_ + plain(curve.points[1]));
@@ -86,7 +101,7 @@ class Converter {
   }
 
   void add_cubics(const RationalBezier& curve, int depth) {
-    if (outline_.pieces.size() > most_) return;
+    if (outline_.pieces.size() > max_spline_pieces) return;
     const Cubic cubic = tangent_cubic(curve);
     if (deviation(curve, cubic, binomials_) <= tolerance_) {
       outline_.cubic_to(origin_ + cubic.points[1], origin_ + cubic.points[2],
@@ -104,17 +119,7 @@ class Converter {
   double binomials_[max_spline_degree + 1] = {1};  // of the degree
   Vec2 origin_;
   double tolerance_;
-  std::size_t most_;
 };
-
-}  // namespace
-
-void add_rational(Outline& outline, const RationalBezier& curve, const Vec2& origin,
-                  double tolerance, std::size_t most) {
-  Converter(outline, origin, tolerance, most).add(curve);
-}
-
-namespace {
 
 // As fractions of the larger side of the box around the control points: the deviation of the
 // pieces, and the gap that counts as none.
@@ -151,86 +156,39 @@ class Span {
   std::size_t degree_, k_;
 };
 
-// Unweighted spans of degree 1 to 3, which are pieces of an outline.
-class PlainSpans {
- public:
-  PlainSpans(const Points& control, const std::vector<double>& knots, std::size_t degree)
-      : control_(control), knots_(knots), degree_(degree) {}
-
-  Vec2 start(std::size_t k) const { return Span(control_, knots_, degree_, k).corner(0); }
-  void add(Outline& outline, std::size_t k, std::size_t) const {
-    const Span span(control_, knots_, degree_, k);
-    if (degree_ == 1)
-      outline.line_to(span.corner(1));
-    else if (degree_ == 2)
-      outline.quadratic_to(span.corner(1), span.corner(2));
-    else
-      outline.cubic_to(span.corner(1), span.corner(2), span.corner(3));
-  }
-
- private:
-  const Points& control_;
-  const std::vector<double>& knots_;
-  std::size_t degree_;
-};
-
-// All others. Weights are divided by the greatest, so that they cannot overflow.
-class WeightedSpans {
- public:
-  WeightedSpans(const Points& control, const std::vector<double>& knots, std::size_t degree,
-                const std::vector<double>& weights, double side)
-      : knots_(knots), degree_(degree), origin_(control.front()), tolerance_(precision * side) {
-    const double greatest = weights.empty() ? 1 : *std::max_element(weights.begin(), weights.end());
-    control_.reserve(control.size());
-    for (std::size_t i = 0; i < control.size(); ++i) {
-      const double weight = weights.empty() ? 1 : weights[i] / greatest;
-      const Vec2 point = (control[i] - origin_) * weight;
-      control_.push_back({point.x, point.y, weight});
-    }
-  }
-
-  Vec2 start(std::size_t k) const {
-    const WeightedPoint p = Span(control_, knots_, degree_, k).corner(0);
-    return origin_ + Vec2(p.x, p.y) / p.z;
-  }
-  void add(Outline& outline, std::size_t k, std::size_t most) const {
-    const Span span(control_, knots_, degree_, k);
-    RationalBezier curve;
-    curve.degree = degree_;
-    for (std::size_t i = 0; i <= degree_; ++i) curve.points[i] = span.corner(i);
-    add_rational(outline, curve, origin_, tolerance_, most);
-  }
-
- private:
-  const std::vector<double>& knots_;
-  std::size_t degree_;
-  std::vector<WeightedPoint> control_;
-  Vec2 origin_;
-  double tolerance_;
-};
-
-// The pieces of all spans with a length. Gaps up to `gap` count as none.
-template <class Spans>
-std::optional<Outline> outline_of(const Spans& spans, const std::vector<double>& knots,
-                                  std::size_t degree, double gap, std::size_t most) {
+// The pieces of all spans with a length: `place` returns the point of a value of the polar form, and
+// `add` appends a span to the outline. Gaps up to `gap` count as none.
+template <class Point, class Place, class Add>
+std::optional<Outline> outline_of(const std::vector<Point>& control,
+                                  const std::vector<double>& knots, std::size_t degree, double gap,
+                                  Place place, Add add) {
   std::optional<Outline> outline;
   for (std::size_t k = degree; k + degree + 1 < knots.size(); ++k) {
     if (!(knots[k] < knots[k + 1])) continue;
-    if (!outline) outline = Outline{spans.start(k), {}};
+    const Span<Point> span(control, knots, degree, k);
+    if (!outline) outline = Outline{place(span.corner(0)), {}};
     // degree + 1 equal knots separate the curve into two parts, which may still meet.
-    if (knots[k - degree] == knots[k] && length(spans.start(k) - outline->end()) > gap)
+    if (knots[k - degree] == knots[k] && length(place(span.corner(0)) - outline->end()) > gap)
       return std::nullopt;
-    spans.add(*outline, k, most);
-    if (outline->pieces.size() > most) break;
+    add(*outline, span);
+    if (outline->pieces.size() > max_spline_pieces) break;
   }
   return outline;
+}
+
+void add_plain(Outline& outline, const Span<Vec2>& span, std::size_t degree) {
+  if (degree == 1)
+    outline.line_to(span.corner(1));
+  else if (degree == 2)
+    outline.quadratic_to(span.corner(1), span.corner(2));
+  else
+    outline.cubic_to(span.corner(1), span.corner(2), span.corner(3));
 }
 
 }  // namespace
 
 std::optional<Outline> Outline::b_spline(const Points& control, const std::vector<double>& knots,
-                                         std::size_t degree, const std::vector<double>& weights,
-                                         std::size_t most) {
+                                         std::size_t degree, const std::vector<double>& weights) {
   const bool fits = degree >= 1 && degree <= max_spline_degree && control.size() > degree &&
                     knots.size() == control.size() + degree + 1 &&
                     (weights.empty() || weights.size() == control.size());
@@ -242,10 +200,28 @@ std::optional<Outline> Outline::b_spline(const Points& control, const std::vecto
   const auto differs = [&](double weight) { return weight != weights.front(); };
   const bool weighted = std::any_of(weights.begin(), weights.end(), differs);
   if (degree <= 3 && !weighted)
-    return outline_of(PlainSpans(control, knots, degree), knots, degree, gap, most);
-  const std::vector<double> none;
-  return outline_of(WeightedSpans(control, knots, degree, weighted ? weights : none, side), knots,
-                    degree, gap, most);
+    return outline_of(
+        control, knots, degree, gap, [](const Vec2& point) { return point; },
+        [&](Outline& outline, const Span<Vec2>& span) { add_plain(outline, span, degree); });
+
+  // Weights are divided by the greatest, so that they cannot overflow.
+  const Vec2 origin = control.front();
+  const double greatest = weighted ? *std::max_element(weights.begin(), weights.end()) : 1;
+  std::vector<WeightedPoint> points;
+  points.reserve(control.size());
+  for (std::size_t i = 0; i < control.size(); ++i) {
+    const double weight = weighted ? weights[i] / greatest : 1;
+    const Vec2 point = (control[i] - origin) * weight;
+    points.push_back({point.x, point.y, weight});
+  }
+  return outline_of(
+      points, knots, degree, gap, [&](const WeightedPoint& point) { return origin + plain(point); },
+      [&](Outline& outline, const Span<WeightedPoint>& span) {
+        RationalBezier curve;
+        curve.degree = degree;
+        for (std::size_t i = 0; i <= degree; ++i) curve.points[i] = span.corner(i);
+        Converter(outline, origin, precision * side).add(curve);
+      });
 }
 
 }  // namespace evenlift

@@ -392,7 +392,9 @@ std::optional<InputError> ColumnReader::row(const Line& line, const Fields& cell
 
 void ColumnReader::end_block() {
   if (block_.points.empty()) return;
-  blocks_.push_back(std::exchange(block_, {}));
+  Block block = std::exchange(block_, {});
+  if (shapes_.empty() || block.points.size() >= 3) return blocks_.push_back(std::move(block));
+  gathering_.left_out.add("group of fewer than three points", "groups of fewer than three points");
 }
 
 void ColumnReader::clear_headings() {

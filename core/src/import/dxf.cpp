@@ -130,13 +130,13 @@ class DxfReader {
   void take_all(std::size_t offset, const Frame& frame);
   void count_inserted(std::size_t bytes);
   void take(DxfEntity& entity, const Frame& frame);
-  void take_drawn(DxfEntity& entity, std::string_view layer, const Frame& frame);
+  void take_drawn(DxfDrawn drawn, const DxfEntity& entity, std::string_view layer,
+                  const Frame& frame);
   void insert(DxfEntity& entity, std::string_view layer, const Frame& frame);
-  const DxfName* reason_to_leave_out(const DxfInsert& insert, const DxfBlock* block) const;
+  const DxfName* reason_to_leave_out(std::string_view name, const DxfBlock* block) const;
   void check_depth(const DxfBlock& block, const DxfEntity& entity, const Frame& frame);
   const DxfName* hidden(DxfEntity& entity, std::string_view layer) const;
   void leave_out(const DxfName& name) { gathering_.left_out.add(name.one, name.many); }
-  void add_part(Outline part, std::string_view layer, const Frame& frame);
   InputError nothing_found() const;
   bool stopped() const { return error_ || gathering_.full(); }
   void stop(InputError error) {
@@ -147,21 +147,12 @@ class DxfReader {
   DxfDrawing drawing_;
   Gathering gathering_;
   std::vector<DrawnPiece> pieces_;  // open ones
-  std::size_t part_count_ = 0;
   std::size_t piece_count_ = 0, inserted_bytes_ = 0;
   std::size_t made_periodic_ = 0;    // splines
   std::size_t splines_ = 0;          // left out
   std::size_t not_level_ = 0;        // polylines
   std::optional<InputError> error_;  // ends the reading
 };
-
-void DxfReader::add_part(Outline part, std::string_view layer, const Frame& frame) {
-  if (part.pieces.empty()) return;
-  if (++part_count_ > max_vertices && !error_)
-    error_ = InputError{
-        ErrorCode::too_many_vertices, "the DXF drawing has more than 1048576 lines and arcs", {}};
-  pieces_.push_back({std::move(part), std::string(layer), false, frame.copy});
-}
 
 // Why an object is not seen; nullptr if it is. Programs do not plot the layer Defpoints, where they
 // draw the points that dimensions measure.
@@ -174,8 +165,8 @@ const DxfName* DxfReader::hidden(DxfEntity& entity, std::string_view layer) cons
   return off || (found && found->frozen) ? &on_hidden_layer : nullptr;
 }
 
-void DxfReader::take_drawn(DxfEntity& entity, std::string_view layer, const Frame& frame) {
-  DxfDrawn drawn = draw(entity, same_point);
+void DxfReader::take_drawn(DxfDrawn drawn, const DxfEntity& entity, std::string_view layer,
+                           const Frame& frame) {
   if (drawn.reason) {
     splines_ += entity.type == "SPLINE";
     return leave_out(*drawn.reason);
@@ -198,13 +189,12 @@ void DxfReader::take_drawn(DxfEntity& entity, std::string_view layer, const Fram
   if (!within_bounds(outline))
     return gathering_.add_problem(
         {ErrorCode::bad_coordinate, "a coordinate is beyond 1,000,000,000", {}});
-  add_part(std::move(outline), name, frame);
+  if (!outline.pieces.empty()) pieces_.push_back({std::move(outline), name, false, frame.copy});
 }
 
-const DxfName* DxfReader::reason_to_leave_out(const DxfInsert& insert,
-                                              const DxfBlock* block) const {
+const DxfName* DxfReader::reason_to_leave_out(std::string_view name, const DxfBlock* block) const {
   for (const LeftOutKind& made : made_blocks)
-    if (insert.block.substr(0, made.type.size()) == made.type) return &made.name;
+    if (name.starts_with(made.type)) return &made.name;
   if (!block) return &undefined_block;
   return block->in_another_file ? &other_file : nullptr;
 }
@@ -224,20 +214,33 @@ void DxfReader::check_depth(const DxfBlock& block, const DxfEntity& entity, cons
   static_assert(max_depth == 32, "the message names the number");
 }
 
+// Copies of a block, perhaps in columns and rows. The steps between these turn with the block, but are
+// not scaled.
 void DxfReader::insert(DxfEntity& entity, std::string_view layer, const Frame& frame) {
-  const DxfInsert insert = read_dxf_insert(entity);
+  const auto count_of = [&](int code) {
+    return std::floor(std::clamp(entity.number_of(code, 1), 1.0, 65535.0));
+  };
+  const double columns = count_of(70), rows = count_of(71);
+  const Vec2 step(entity.number_of(44, 0), entity.number_of(45, 0));
+  const Vec2 scale(entity.number_of(41, 1), entity.number_of(42, 1));
+  const Vec2 at = entity.point_of(10), turn = direction_of(entity.number_of(50, 0));
+  const std::string_view name = entity.text_of(2);
   if (entity.bad_number()) return;
-  const DxfBlock* block = drawing_.block(insert.block);
-  if (const DxfName* reason = reason_to_leave_out(insert, block)) return leave_out(*reason);
+  Affine place{turn.x, turn.y, -turn.y, turn.x, at.x, at.y};
+  if (entity.seen_from_behind()) place = Affine{-1, 0, 0, 1, 0, 0} * place;
+  const DxfBlock* block = drawing_.block(name);
+  if (const DxfName* reason = reason_to_leave_out(name, block)) return leave_out(*reason);
   check_depth(*block, entity, frame);
   std::optional<std::size_t> named;
   if (!block->name.starts_with('*'))  // programs make up these names
     named = gathering_.add_block(with_letters(block->name));
-  for (double row = 0; row < insert.rows; ++row)
-    for (double column = 0; column < insert.columns; ++column) {
+  const Affine from_base{1, 0, 0, 1, -block->base.x, -block->base.y};
+  for (double row = 0; row < rows; ++row)
+    for (double column = 0; column < columns; ++column) {
       count_inserted(copy_bytes);
       if (stopped()) return;
-      const Affine map = frame.map * insert.copy(column, row, block->base);
+      const Affine map = frame.map * (place * Affine{1, 0, 0, 1, column * step.x, row * step.y} *
+                                      Affine{scale.x, 0, 0, scale.y, 0, 0} * from_base);
       const std::size_t copy = named ? gathering_.add_copy(*named) : frame.copy;
       take_all(block->offset, {map, layer, block, &frame, frame.depth + 1, copy});
     }
@@ -253,7 +256,7 @@ void DxfReader::take(DxfEntity& entity, const Frame& frame) {
   if (const DxfName* reason = hidden(entity, layer)) return leave_out(*reason);
   if (entity.tilt() > same_point) return leave_out(in_other_plane);
   if (type == "INSERT") return insert(entity, layer, frame);
-  if (is_drawn(type)) return take_drawn(entity, layer, frame);
+  if (auto drawn = draw(entity)) return take_drawn(*std::move(drawn), entity, layer, frame);
   if (const auto at = place_of_text(entity))
     gathering_.add_text(frame.map(*at), with_letters(words_of_text(entity)), written.one);
   for (const LeftOutKind& other : left_out_kinds)
@@ -314,20 +317,14 @@ Result<Import> DxfReader::read() {
     if (!stopped()) take_all(offset, {});
   if (error_) return *std::move(error_);
   gathering_.add_joined(pieces_, false);
-  if (made_periodic_ > 0)
-    gathering_.note(
-        say(made_periodic_ == 1
-                ? "{count} spline is marked as periodic but has the knots of an open "
-                  "curve, and was read as periodic"
-                : "{count} splines are marked as periodic but have the knots of an open "
-                  "curve, and were read as periodic",
-            {made_periodic_}));
-  if (not_level_ > 0)
-    gathering_.note(
-        say(not_level_ == 1
-                ? "{count} polyline in space is not level, and was read as seen from above"
-                : "{count} polylines in space are not level, and were read as seen from above",
-            {not_level_}));
+  gathering_.note_count(made_periodic_,
+                        "{count} spline is marked as periodic but has the knots of an open "
+                        "curve, and was read as periodic",
+                        "{count} splines are marked as periodic but have the knots of an open "
+                        "curve, and were read as periodic");
+  gathering_.note_count(
+      not_level_, "{count} polyline in space is not level, and was read as seen from above",
+      "{count} polylines in space are not level, and were read as seen from above");
   const DxfUnit& unit = drawing_.unit;
   gathering_.import.unit = unit.label == LengthUnit::none ? unit.other : in_full(unit.label);
   for (ImportedShape& shape : gathering_.import.shapes)

@@ -12,6 +12,7 @@
 #include "import/joining/joining.h"
 #include "import/projection/projection.h"
 #include "numbers/number_text.h"
+#include "numbers/text_cursor.h"
 
 namespace evenlift {
 namespace {
@@ -39,11 +40,8 @@ std::string degrees_note(std::string_view note, const Box& box) {
 
 void Gathering::add_notes(const RingNotes& notes) {
   if (notes.heights > 0) note("coordinates beyond x and y were left out");
-  if (notes.repeated > 0)
-    note(say(notes.repeated == 1
-                 ? "{count} vertex at the place of the one before it was left out"
-                 : "{count} vertices at the place of the one before them were left out",
-             {notes.repeated}));
+  note_count(notes.repeated, "{count} vertex at the place of the one before it was left out",
+             "{count} vertices at the place of the one before them were left out");
   if (!notes.are_degrees || import.shapes.empty()) return;
   const Box box = box_of(import.shapes);
   if (!can_be_degrees(box) || options_.project) return;
@@ -361,7 +359,7 @@ void Gathering::add_joined(const std::vector<DrawnPiece>& pieces, bool closes_al
   Joining joining = join(pieces, options_.join);
   for (const JoinedOutline& joined : joining.outlines)
     add({{joined.outline},
-         joined.layer,
+         joined.name,
          joined.parts == 1 ? "closed line" : say("{parts} lines and arcs, joined", {joined.parts}),
          Fill::none,
          false,
@@ -409,10 +407,8 @@ void Gathering::note_joining(const Joining& joining) {
   if (std::any_of(joining.outlines.begin(), joining.outlines.end(),
                   [](const JoinedOutline& joined) { return joined.across_layers; }))
     note("lines on different layers were joined, since they do not close within their layers");
-  if (joining.repeated > 0)
-    note(say(joining.repeated == 1 ? "{count} line that lies on another was left out"
-                                   : "{count} lines that lie on another were left out",
-             {joining.repeated}));
+  note_count(joining.repeated, "{count} line that lies on another was left out",
+             "{count} lines that lie on another were left out");
   const std::size_t open = joining.open.size();
   if (open == 0) return;
   if (joining.apart)
@@ -462,57 +458,22 @@ void Gathering::name_parts(const std::vector<OutlineWithHoles>& shapes) {
 namespace {
 
 // Layers and names of sheets, as whole words.
+constexpr WordList words_of_sheets =
+    "frame border sheet titleblock title page paper canvas background rahmen zeichnungsrahmen blatt "
+    "blattrahmen schriftfeld schriftkopf cadre cartouche feuille marco hoja cajetin cornice foglio "
+    "cartiglio squadratura folha moldura kader blad ramka arkusz ram рамка лист 图框 図枠"_words;
+
 bool names_sheet(std::string_view name) {
-  static constexpr std::string_view words[] = {"frame",
-                                               "border",
-                                               "sheet",
-                                               "titleblock",
-                                               "title",
-                                               "page",
-                                               "paper",
-                                               "canvas",
-                                               "background",
-                                               "rahmen",
-                                               "zeichnungsrahmen",
-                                               "blatt",
-                                               "blattrahmen",
-                                               "schriftfeld",
-                                               "schriftkopf",
-                                               "cadre",
-                                               "cartouche",
-                                               "feuille",
-                                               "marco",
-                                               "hoja",
-                                               "cajetin",
-                                               "cornice",
-                                               "foglio",
-                                               "cartiglio",
-                                               "squadratura",
-                                               "folha",
-                                               "moldura",
-                                               "kader",
-                                               "blad",
-                                               "ramka",
-                                               "arkusz",
-                                               "ram",
-                                               "\u0440\u0430\u043c\u043a\u0430",
-                                               "\u043b\u0438\u0441\u0442",
-                                               "\u56fe\u6846",
-                                               "\u56f3\u67a0"};
   std::string word;
-  const auto is_one = [&] {
-    return std::find(std::begin(words), std::end(words), word) != std::end(words);
-  };
   for (const char c : name) {
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c < 0;
-    if (letter) {
-      word += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (is_letter(c) || static_cast<unsigned char>(c) >= 0x80) {
+      word += lower_case(c);
     } else {
-      if (is_one()) return true;
+      if (words_of_sheets.has(word)) return true;
       word.clear();
     }
   }
-  return is_one();
+  return words_of_sheets.has(word);
 }
 
 // As large as the page, within a hundredth.
@@ -573,19 +534,14 @@ void Gathering::nest_outlines() {
   }
   for (ImportedShape& sheet : sheets) shapes.push_back(std::move(sheet));
   import.shapes = std::move(shapes);
-  if (nesting.sheets > 0)
-    note(say(nesting.sheets == 1
-                 ? "{count} rectangle around all else was read as the sheet, and comes last"
-                 : "{count} rectangles around all else were read as sheets, and come last",
-             {nesting.sheets}));
-  if (nesting.repeated > 0)
-    note(say(nesting.repeated == 1 ? "{count} outline that repeats another was left out"
-                                   : "{count} outlines that repeat another were left out",
-             {nesting.repeated}));
+  note_count(nesting.sheets,
+             "{count} rectangle around all else was read as the sheet, and comes last",
+             "{count} rectangles around all else were read as sheets, and come last");
+  note_count(nesting.repeated, "{count} outline that repeats another was left out",
+             "{count} outlines that repeat another were left out");
   if (nesting.holes > 0 && options_.holes)
-    note(say(nesting.holes == 1 ? "{count} outline inside another was read as a hole"
-                                : "{count} outlines inside others were read as holes",
-             {nesting.holes}));
+    note_count(nesting.holes, "{count} outline inside another was read as a hole",
+               "{count} outlines inside others were read as holes");
   import.doubtful =
       left_open_ > 1.01 * bounding_box(import.shapes.front().document.vertices).area();
 }
@@ -689,6 +645,10 @@ void Gathering::note(std::string_view sentence) {
   if (import.notes.size() < 20) import.notes.emplace_back(translated(sentence));
 }
 
+void Gathering::note_count(std::size_t count, std::string_view one, std::string_view many) {
+  if (count > 0) note(say(count == 1 ? one : many, {count}));
+}
+
 // Cutters cut one hole where two of them touch or overlap.
 void Gathering::unite_holes() {
   std::size_t united = 0;
@@ -711,24 +671,19 @@ Result<Import> Gathering::finish(InputError nothing) {
   for (std::size_t i = 0; i < import.shapes.size(); ++i) import.shapes[i].order = i;
   if (!drawn_.empty()) nest_outlines();
   if (!texts_.empty()) name_by_texts();
-  if (same_way_ > 0)
-    note(say(same_way_ == 1 ? "{count} ring that runs the same way round as the ring around it was "
-                              "read as a hole, although the file fills it"
-                            : "{count} rings that run the same way round as the rings around them "
-                              "were read as holes, although the file fills them",
-             {same_way_}));
+  note_count(same_way_,
+             "{count} ring that runs the same way round as the ring around it was "
+             "read as a hole, although the file fills it",
+             "{count} rings that run the same way round as the rings around them "
+             "were read as holes, although the file fills them");
   unite_holes();
   if (!left_out.empty())
     note(say(left_out.total() == 1 ? "{things} was left out" : "{things} were left out",
              {left_out.list()}));
-  if (spikes_ > 0)
-    note(say(spikes_ == 1 ? "{count} spike without a width was left out"
-                          : "{count} spikes without a width were left out",
-             {spikes_}));
-  if (without_area_ > 0)
-    note(say(without_area_ == 1 ? "{count} line without an area was left out"
-                                : "{count} lines without an area were left out",
-             {without_area_}));
+  note_count(spikes_, "{count} spike without a width was left out",
+             "{count} spikes without a width were left out");
+  note_count(without_area_, "{count} line without an area was left out",
+             "{count} lines without an area were left out");
   if (problems_ > 0) {
     const std::string place = describe(first_problem_->place), &problem = first_problem_->message;
     const bool one = problems_ == 1;

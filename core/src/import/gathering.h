@@ -17,10 +17,6 @@
 
 namespace evenlift {
 
-// Points count as one if they are closer than this share of their shape's larger side, since
-// drawings repeat points, and ends that should meet differ a little.
-inline constexpr double same_point = 1e-5;
-
 double larger_side(const Box& box);
 
 // Writes the value, rounded to at most four significant digits, such as 12.35 or 120.
@@ -104,6 +100,8 @@ class Gathering final : public ShapeSink {
   void add_notes(const RingNotes& notes);
   // Adds the sentence to the notes, translated, unless there are already 20.
   void note(std::string_view sentence);
+  // The sentence of these two that fits the number, which fills its {count}; none for 0.
+  void note_count(std::size_t count, std::string_view one, std::string_view many);
 
   // Finishes and returns the import, or an error if a limit is exceeded. If there is no shape,
   // returns the first problem, or `nothing` if there were no problems.

@@ -60,9 +60,30 @@ std::optional<std::string> printed_wkt(std::string_view text) {
   return plain;
 }
 
+// JSON that a script assigns to a variable: "var plates = {…};". Returns the same text with blanks in
+// place of all but the JSON; nothing for other texts.
+std::optional<std::string> assigned_json(std::string_view text) {
+  const std::size_t first = text.find_first_of("{["), last = text.find_last_of("}]");
+  if (first == text.npos || last == text.npos || last < first) return std::nullopt;
+  std::string_view before = text.substr(0, text.find_last_not_of(" \t\r\n", first - 1) + 1);
+  if (!before.ends_with('=') || text.find_first_not_of("; \t\r\n", last + 1) != text.npos)
+    return std::nullopt;
+  before.remove_suffix(1);
+  const auto names = [](char c) {
+    return is_letter(c) || is_digit(c) ||
+           std::string_view("_$. \t\r\n").find(c) != std::string_view::npos;
+  };
+  if (!std::all_of(before.begin(), before.end(), names)) return std::nullopt;
+  std::string plain(text);
+  for (std::size_t i = 0; i < plain.size(); ++i)
+    if ((i < first || i > last) && !ends_line(plain[i])) plain[i] = ' ';
+  return plain;
+}
+
 Result<Import> read_format(std::string_view text, const ImportOptions& options) {
   TextCursor cursor(text);
   cursor.skip_white_space();
+  if (const auto json = assigned_json(text)) return read_json_shapes(*json, options);
   if (const auto printed = printed_wkt(text)) return read_wkt_shapes(*printed, options);
   if (cursor.at_end()) return cursor.error(ErrorCode::bad_syntax, "the text is empty");
   if (cursor.sees('<')) return read_svg(text, options);

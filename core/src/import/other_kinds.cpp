@@ -39,35 +39,27 @@ std::string plain_word(std::string_view heading) {
   return word;
 }
 
-template <std::size_t n>
-bool has_heading(const Fields& headings, const std::array<std::string_view, n>& words) {
-  return std::any_of(headings.begin(), headings.end(), [&](std::string_view heading) {
-    const std::string word = plain_word(heading);
-    return std::find(words.begin(), words.end(), word) != words.end();
-  });
+bool has_heading(const Fields& headings, WordList words) {
+  return std::any_of(headings.begin(), headings.end(),
+                     [&](std::string_view heading) { return words.has(plain_word(heading)); });
 }
 
 // Of parts: a length and a width or thickness, but no coordinates.
 bool lists_sizes(const Table& rows) {
-  constexpr std::array<std::string_view, 7> lengths{"length", "l\u00e4nge", "laenge", "longueur",
-                                                    "largo",  "lunghezza",  "lengte"};
-  constexpr std::array<std::string_view, 9> widths{"width",   "breite",    "largeur",
-                                                   "ancho",   "larghezza", "breedte",
-                                                   "breadth", "thickness", "dicke"};
-  return has_heading(rows[0], lengths) && has_heading(rows[0], widths) && !named_columns(rows[0]);
+  return has_heading(rows[0], "length länge laenge longueur largo lunghezza lengte"_words) &&
+         has_heading(
+             rows[0],
+             "width breadth breite largeur ancho larghezza breedte thickness dicke"_words) &&
+         !named_columns(rows[0]);
 }
 
 bool lists_boxes(const Table& rows) {
-  constexpr std::array<std::string_view, 2> least{"xmin", "minx"};
-  constexpr std::array<std::string_view, 2> greatest{"xmax", "maxx"};
-  return has_heading(rows[0], least) && has_heading(rows[0], greatest);
+  return has_heading(rows[0], "xmin minx"_words) && has_heading(rows[0], "xmax maxx"_words);
 }
 
 bool lists_segments(const Table& rows) {
-  constexpr std::array<std::string_view, 2> first{"x1", "startx"}, second{"x2", "endx"};
-  constexpr std::array<std::string_view, 2> height{"y1", "starty"};
-  return has_heading(rows[0], first) && has_heading(rows[0], second) &&
-         has_heading(rows[0], height);
+  return has_heading(rows[0], "x1 startx"_words) && has_heading(rows[0], "x2 endx"_words) &&
+         has_heading(rows[0], "y1 starty"_words);
 }
 
 std::size_t numbers_after_first(const Fields& cells) {
@@ -207,6 +199,10 @@ constexpr char map_answer[] =
     "this is a map server's answer (OpenStreetMap, Overpass), whose nodes are in no order: ask for "
     "GeoJSON, or convert it";
 
+constexpr char map_area[] =
+    "this is an area of OpenStreetMap (.poly), which evenlift does not read: convert it to GeoJSON or "
+    "WKT";
+
 // A file shows its kind within these.
 constexpr std::size_t first_lines_of_text = 500, first_bytes = 65536;
 
@@ -244,16 +240,12 @@ bool is_binary_stl(std::string_view text) {
 }
 
 bool is_off(std::string_view text) {
-  static constexpr std::string_view names[] = {"OFF", "COFF", "NOFF", "CNOFF", "STOFF"};
-  const std::string_view word = first_word(first_line(text));
-  return std::find(std::begin(names), std::end(names), word) != std::end(names);
+  return "OFF COFF NOFF CNOFF STOFF"_words.has(first_word(first_line(text)));
 }
 
 // Lines up to the first vertex begin with words of the format. A table may also name a point "v",
 // but without three coordinates.
 bool is_obj(std::string_view text) {
-  static constexpr std::string_view words[] = {"mtllib", "usemtl", "o",  "g", "s",
-                                               "vn",     "vt",     "vp", "l", "f"};
   Lines lines(text);
   for (std::size_t i = 0; i < first_lines_of_text; ++i) {
     const std::optional<Line> line = lines.next();
@@ -263,7 +255,7 @@ bool is_obj(std::string_view text) {
     if (cells[0] == "v")
       return cells.size() >= 4 && std::all_of(cells.begin() + 1, cells.end(),
                                               [](auto cell) { return read_number(cell); });
-    if (std::find(std::begin(words), std::end(words), cells[0]) == std::end(words)) return false;
+    if (!"mtllib usemtl o g s vn vt vp l f"_words.has(cells[0])) return false;
   }
   return false;
 }
@@ -332,6 +324,17 @@ bool is_map_answer(std::string_view text) {
          contains(text, "\"node\"") && contains(text, "\"lat\"");
 }
 
+// A name, and rings: each has a name, lines of longitude and latitude, and END.
+bool is_map_area(std::string_view text) {
+  Lines lines(text);
+  for (const std::size_t size : {1u, 1u, 2u}) {
+    const std::optional<Line> line = lines.next();
+    const Fields cells = line ? split_cells(line->text, ' ') : Fields();
+    if (cells.size() != size || (size == 2 && numbers_after_first(cells) == 0)) return false;
+  }
+  return contains(text, "\nEND");
+}
+
 bool is_gerber(std::string_view text) { return contains(text, "%FSLA") || contains(text, "%FSTA"); }
 
 struct KindOfText {
@@ -343,7 +346,7 @@ constexpr KindOfText text_kinds[] = {
     {is_ply, mesh_ply},          {is_text_stl, mesh_stl}, {is_off, mesh_off},
     {is_obj, mesh_obj},          {is_iges, iges},         {is_autocad_list, autocad_list},
     {is_gerber, gerber},         {is_g_code, g_code},     {is_plotter_file, plotter},
-    {is_map_answer, map_answer},
+    {is_map_answer, map_answer}, {is_map_area, map_area},
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -219,35 +220,54 @@ bool has_words_or_counts(std::string_view rows, const CellStyle& style, std::siz
   return true;
 }
 
+namespace {
+
+constexpr std::size_t shortest_run = 3;
+
+// The runs of equal cells in a column.
+struct Runs {
+  std::vector<std::size_t> starts;  // rows
+  std::set<std::string_view> values;
+  std::size_t rows = 0, longs = 0;  // and how many runs are long enough for a shape
+  std::string_view last;
+
+  void end() { longs += !starts.empty() && rows - starts.back() >= shortest_run; }
+  void take(std::string_view cell) {
+    if (starts.empty() || cell != last) {
+      end();
+      starts.push_back(rows);
+      values.insert(last = cell);
+    }
+    ++rows;
+  }
+  bool separates() const { return longs >= 2 && longs == starts.size(); }
+  // Whether it names the parts of the other's runs; some may be single points.
+  bool separates_within(const Runs& other) const {
+    return longs >= 2 && values.size() == starts.size() && starts.size() > other.starts.size() &&
+           std::includes(starts.begin(), starts.end(), other.starts.begin(), other.starts.end());
+  }
+};
+
+}  // namespace
+
 std::vector<std::size_t> columns_of_shapes(std::string_view rows, const CellStyle& style,
                                            const std::vector<std::size_t>& columns) {
-  constexpr std::size_t shortest_run = 3;
-  struct Runs {
-    std::string_view last;
-    std::size_t length = 0, count = 0;
-    bool long_enough = true;
-  };
   std::vector<Runs> all(columns.size());
   Lines lines(rows);
   for (auto line = lines.next(); line; line = lines.next()) {
     const Fields cells = split_cells(line->text, style.separator);
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      Runs& runs = all[i];
-      const std::string_view cell = columns[i] < cells.size() ? cells[columns[i]] : "";
-      if (runs.length > 0 && cell == runs.last) {
-        ++runs.length;
-        continue;
-      }
-      runs.long_enough = runs.long_enough && (runs.count == 0 || runs.length >= shortest_run);
-      runs.last = cell;
-      runs.length = 1;
-      ++runs.count;
-    }
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      all[i].take(columns[i] < cells.size() ? cells[columns[i]] : "");
   }
+  for (Runs& runs : all) runs.end();
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < columns.size(); ++i)
-    if (all[i].count >= 2 && all[i].long_enough && all[i].length >= shortest_run)
-      found.push_back(columns[i]);
+    if (all[i].separates()) found.push_back(columns[i]);
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    if (std::any_of(all.begin(), all.end(), [&](const Runs& other) {
+          return other.separates() && all[i].separates_within(other);
+        }))
+      found.insert(found.begin(), columns[i]);
   return found;
 }
 

@@ -34,7 +34,8 @@ bool has_words_or_counts(std::string_view rows, const CellStyle& style, std::siz
 
 // Returns those of `columns` that consist of two or more runs, each of at least three equal cells.
 // Columns that number or name the shapes have such runs. Columns of coordinates do not, since the
-// vertices of each run would be on one line. O(bytes).
+// vertices of each run would be on one line. A column that names the parts of such a run counts, too,
+// if two of its names have three cells or more and each name has one run, and stands before the others. O(bytes log rows).
 std::vector<std::size_t> columns_of_shapes(std::string_view rows, const CellStyle& style,
                                            const std::vector<std::size_t>& columns);
 

@@ -130,4 +130,14 @@ InputError TextCursor::error_at(std::size_t offset, ErrorCode code, std::string 
   return text_error(code, std::move(message), text_, offset);
 }
 
+bool WordList::has(std::string_view word) const {
+  if (word.empty() || word.find(' ') != word.npos) return false;
+  for (std::size_t at = words_.find(word); at != words_.npos; at = words_.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || words_[at - 1] == ' ') && (end == words_.size() || words_[end] == ' '))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace evenlift

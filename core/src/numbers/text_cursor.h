@@ -68,4 +68,17 @@ class TextCursor {
 // Whether the words are equal apart from case; `lower` must be in lower case. O(length).
 bool same_word(std::string_view word, std::string_view lower);
 
+// Words with a space between them, as a literal: "max maximum rated"_words.
+class WordList {
+ public:
+  constexpr explicit WordList(std::string_view words) : words_(words) {}
+  bool has(std::string_view word) const;  // O(list)
+
+ private:
+  std::string_view words_;
+};
+constexpr WordList operator""_words(const char* words, std::size_t size) {
+  return WordList({words, size});
+}
+
 }  // namespace evenlift

@@ -66,9 +66,7 @@ std::string_view DxfEntity::text_of(int code) const {
   return {};
 }
 
-int DxfEntity::flags_of(int code) {
-  return static_cast<int>(std::clamp(number_of(code, 0), 0.0, 65535.0));
-}
+int DxfEntity::flags() { return static_cast<int>(std::clamp(number_of(70, 0), 0.0, 65535.0)); }
 
 double DxfEntity::tilt() {
   return std::max(std::abs(number_of(210, 0)), std::abs(number_of(220, 0)));
@@ -116,7 +114,7 @@ void DxfEntities::read_vertices() {
     vertex_.begin(pending_->value);
     read_groups(vertex_);
     entity_.vertices.push_back({vertex_.point_of(10), vertex_.number_of(42, 0),
-                                vertex_.number_of(30, 0), vertex_.flags_of()});
+                                vertex_.number_of(30, 0), vertex_.flags()});
     if (vertex_.bad_number()) entity_.add_bad_number(*vertex_.bad_number());
   }
 }
@@ -232,7 +230,7 @@ void DrawingReader::take(const DxfGroup& group) {
 void DrawingReader::end_item() {
   if (item_.type.empty()) return;
   const std::string name = in_lower_case(item_.text_of(2));
-  const int flags = item_.flags_of();
+  const int flags = item_.flags();
   if (item_.type == "LAYER") {
     drawing_.layers.emplace(name, DxfLayer{item_.number_of(62, 7) < 0, (flags & 1) != 0});
   } else {
@@ -250,35 +248,5 @@ const DxfLayer* DxfDrawing::layer(std::string_view name) const { return found(la
 const DxfBlock* DxfDrawing::block(std::string_view name) const { return found(blocks, name); }
 
 Result<DxfDrawing> read_dxf_drawing(std::string_view text) { return DrawingReader(text).read(); }
-
-namespace {
-
-double count_of(DxfEntity& entity, int code) {
-  return std::floor(std::clamp(entity.number_of(code, 1), 1.0, 65535.0));
-}
-
-}  // namespace
-
-Affine DxfInsert::copy(double column, double row, const Vec2& base) const {
-  const Affine step{1, 0, 0, 1, column * column_step, row * row_step};
-  const Affine scale{scale_x, 0, 0, scale_y, 0, 0};
-  const Affine from_base{1, 0, 0, 1, -base.x, -base.y};
-  return place * step * scale * from_base;
-}
-
-DxfInsert read_dxf_insert(DxfEntity& entity) {
-  DxfInsert insert;
-  insert.block = entity.text_of(2);
-  insert.columns = count_of(entity, 70);
-  insert.rows = count_of(entity, 71);
-  insert.column_step = entity.number_of(44, 0);
-  insert.row_step = entity.number_of(45, 0);
-  insert.scale_x = entity.number_of(41, 1);
-  insert.scale_y = entity.number_of(42, 1);
-  const Vec2 at = entity.point_of(10), turn = direction_of(entity.number_of(50, 0));
-  insert.place = {turn.x, turn.y, -turn.y, turn.x, at.x, at.y};
-  if (entity.seen_from_behind()) insert.place = Affine{-1, 0, 0, 1, 0, 0} * insert.place;
-  return insert;
-}
 
 }  // namespace evenlift

@@ -72,8 +72,7 @@ class DxfEntity {
   double number_of(int code, double otherwise);
   std::string_view text_of(int code) const;
   Vec2 point_of(int code) { return {number_of(code, 0), number_of(code + 10, 0)}; }
-  // The bits of the flags; most objects have them in group 70.
-  int flags_of(int code = 70);
+  int flags();  // bits
   // Whether the object is seen from behind, so that the x axis of its own coordinates points left.
   bool seen_from_behind() { return number_of(230, 1) < 0; }
   // The tilt of the object's plane: the larger of |x| and |y| for its unit normal. It is 0 if the
@@ -154,23 +153,6 @@ struct DxfDrawing {
 // for n layers and blocks.
 Result<DxfDrawing> read_dxf_drawing(std::string_view text);
 
-// --- INSERT: copies of a block, perhaps in columns and rows.
-
-struct DxfInsert {
-  std::string_view block;        // its name
-  double columns = 1, rows = 1;  // whole numbers from 1 to 65535
-  double column_step = 0, row_step = 0;
-  Affine place;  // maps the first copy to its place, without scale
-  double scale_x = 1, scale_y = 1;
-
-  // Returns the map from the block's coordinates to those of the block or drawing that contains the
-  // INSERT, for the copy in this column and row, both counted from 0. `base` is the block's base
-  // point. The steps between columns and rows turn with the block, but are not scaled. O(1).
-  Affine copy(double column, double row, const Vec2& base) const;
-};
-
-DxfInsert read_dxf_insert(DxfEntity& entity);
-
 // --- The letters of DXF drawings.
 
 // A drawing's text as UTF-8. Before 2007 programs wrote the letters of the code page that
@@ -216,23 +198,11 @@ struct DxfDrawn {
   bool made_periodic = false;  // a spline marked as periodic had the knots of an open one
 };
 
-// Whether the type is LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE, POLYLINE or SPLINE.
-bool is_drawn(std::string_view type);
-
-// The object's outline. A spline is closed if its ends differ in x and in y by at most `same_point`
-// times the larger side of the box around its control points (spline.h). An ellipse is closed if
-// its angle differs from a full turn by less than `same_point` radians. O(groups + vertices); for
-// splines the cost is that of Outline::b_spline().
-DxfDrawn draw(DxfEntity& entity, double same_point);
-
-// --- SPLINE: a B-spline or NURBS curve.
-
-// Reads a curve of degree 1 to 10 if its weights are positive and its knots fit the control points.
-// If the curve is marked as closed, the function repeats the first control points after the last
-// one in two cases: if the number of knots includes those for the repetition; or if the curve is
-// also marked as periodic, has the evenly spaced knots of an open curve, and its first and last
-// control points differ by more than `same_point` (outlines.h) allows. If a curve is refused, the
-// result gives the reason.
-DxfDrawn draw_spline(DxfEntity& entity, double same_point);
+// The outline of a LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE, POLYLINE or SPLINE; nullopt for other
+// objects. A spline is closed if its ends differ in x and in y by at most same_point (outline.h)
+// times the larger side of the box around its control points. An ellipse is closed if its angle
+// differs from a full turn by less than same_point radians. O(groups + vertices); for splines the
+// cost is that of Outline::b_spline().
+std::optional<DxfDrawn> draw(DxfEntity& entity);
 
 }  // namespace evenlift

@@ -1,8 +1,8 @@
-#include "import/dxf/drawing.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "import/dxf/drawing.h"
 
 namespace evenlift {
 namespace {
@@ -107,11 +107,13 @@ const DxfName* problem(const Spline& spline) {
   return nullptr;
 }
 
-}  // namespace
-
-DxfDrawn draw_spline(DxfEntity& entity, double same_point) {
+// If a curve is marked as closed, the first control points are repeated after the last one in two
+// cases: if the number of knots includes those for the repetition; or if the curve is also marked as
+// periodic, has the evenly spaced knots of an open curve, and its first and last control points
+// differ.
+DxfDrawn draw_spline(DxfEntity& entity) {
   constexpr int closed = 1, periodic = 2;
-  const int flags = entity.flags_of();
+  const int flags = entity.flags();
   Spline spline = read_spline(entity);
   complete(spline, (flags & closed) != 0);
   if (const DxfName* reason = problem(spline)) return {{}, nullptr, reason};
@@ -131,8 +133,6 @@ DxfDrawn draw_spline(DxfEntity& entity, double same_point) {
   drawn.outline = *std::move(curve);
   return drawn;
 }
-
-namespace {
 
 constexpr Affine behind{-1, 0, 0, 1, 0, 0};
 constexpr DxfName mesh{"mesh", "meshes"};
@@ -157,7 +157,7 @@ DxfDrawn draw_vertices(const std::vector<DxfVertex>& vertices, bool closed) {
 }
 
 // Each vertex begins with an x.
-DxfDrawn lightweight_polyline(DxfEntity& entity, double) {
+DxfDrawn lightweight_polyline(DxfEntity& entity) {
   std::vector<DxfVertex> vertices;
   for (const DxfGroup& group : entity.groups) {
     if (group.code == 10) vertices.push_back({{entity.number(group), 0}});
@@ -165,7 +165,7 @@ DxfDrawn lightweight_polyline(DxfEntity& entity, double) {
     if (group.code == 20) vertices.back().point.y = entity.number(group);
     if (group.code == 42) vertices.back().bulge = entity.number(group);
   }
-  DxfDrawn drawn = draw_vertices(vertices, (entity.flags_of() & 1) != 0);
+  DxfDrawn drawn = draw_vertices(vertices, (entity.flags() & 1) != 0);
   drawn.outline = placed(entity, std::move(drawn.outline));
   return drawn;
 }
@@ -179,9 +179,9 @@ void drop_spline_frame(std::vector<DxfVertex>& vertices) {
   if (std::any_of(vertices.begin(), vertices.end(), has(8))) std::erase_if(vertices, has(16));
 }
 
-DxfDrawn heavy_polyline(DxfEntity& entity, double) {
+DxfDrawn heavy_polyline(DxfEntity& entity) {
   constexpr int closed = 1, in_space = 8, meshes = 16 | 64;
-  const int flags = entity.flags_of();
+  const int flags = entity.flags();
   if ((flags & meshes) != 0) return {{}, nullptr, &mesh};
   drop_spline_frame(entity.vertices);
   DxfDrawn drawn = draw_vertices(entity.vertices, (flags & closed) != 0);
@@ -189,7 +189,7 @@ DxfDrawn heavy_polyline(DxfEntity& entity, double) {
   return drawn;
 }
 
-DxfDrawn line(DxfEntity& entity, double) {
+DxfDrawn line(DxfEntity& entity) {
   Outline outline;
   outline.start = entity.point_of(10);
   const Vec2 end = entity.point_of(11);
@@ -198,28 +198,32 @@ DxfDrawn line(DxfEntity& entity, double) {
   return {std::move(outline)};
 }
 
-DxfDrawn circle(DxfEntity& entity, double) {
+DxfDrawn circle(DxfEntity& entity) {
   const Vec2 centre = entity.point_of(10);
   const double radius = entity.number_of(40, 0);
   if (!(radius > 0)) return {};
   return {placed(entity, Outline::ellipse({radius, 0, 0, radius, centre.x, centre.y})), "circle"};
 }
 
+constexpr DxfName no_angle{"arc of no length", "arcs of no length"};
+
 // The angle counter-clockwise from one direction to another, in (0, whole], where `whole` is a full
-// turn. A little more than a full turn, because of rounding, counts as one.
+// turn; 0 if they are given by the same number, as programs leave arcs at corners. A little more than a full turn, because of rounding, counts as one.
 double angle_from_to(double from, double to, double whole, double near) {
+  if (from == to) return 0;
   const double angle = std::fmod(to - from, whole);
   if (angle <= 0) return angle + whole;
   return angle < near && std::fabs(to - from) > whole / 2 ? whole : angle;
 }
 
-DxfDrawn arc(DxfEntity& entity, double same_point) {
+DxfDrawn arc(DxfEntity& entity) {
   const Vec2 centre = entity.point_of(10);
   const double radius = entity.number_of(40, 0), from = entity.number_of(50, 0),
                to = entity.number_of(51, 360);
   if (!(radius > 0)) return {};
   const double angle = angle_from_to(from, to, 360, same_point * 180 / pi);
-  if (!(angle < 360)) return circle(entity, same_point);
+  if (angle == 0) return {{}, nullptr, &no_angle};
+  if (!(angle < 360)) return circle(entity);
   const auto at = [&](double degrees) -> Vec2 { return centre + radius * direction_of(degrees); };
   Outline outline;
   outline.start = at(from);
@@ -229,7 +233,7 @@ DxfDrawn arc(DxfEntity& entity, double same_point) {
 }
 
 // Parameters are in radians.
-DxfDrawn ellipse(DxfEntity& entity, double same_point) {
+DxfDrawn ellipse(DxfEntity& entity) {
   const Vec2 centre = entity.point_of(10), major = entity.point_of(11);
   const double ratio = entity.number_of(40, 1), from = entity.number_of(41, 0),
                to = entity.number_of(42, 2 * pi);
@@ -237,6 +241,7 @@ DxfDrawn ellipse(DxfEntity& entity, double same_point) {
   const Vec2 minor = (entity.seen_from_behind() ? -ratio : ratio) * left_normal(major);
   const Affine frame{major.x, major.y, minor.x, minor.y, centre.x, centre.y};
   const double angle = angle_from_to(from, to, 2 * pi, same_point);
+  if (angle == 0) return {{}, nullptr, &no_angle};
   if (angle > 2 * pi - same_point) return {Outline::ellipse(frame), "ellipse"};
   const auto at = [](double parameter) {
     const double turned = std::fmod(parameter, 2 * pi);
@@ -250,7 +255,7 @@ DxfDrawn ellipse(DxfEntity& entity, double same_point) {
 
 struct Drawer {
   std::string_view type;
-  DxfDrawn (*draw)(DxfEntity& entity, double same_point);
+  DxfDrawn (*draw)(DxfEntity& entity);
 };
 constexpr Drawer drawers[] = {
     {"LINE", line},       {"LWPOLYLINE", lightweight_polyline}, {"ARC", arc},
@@ -258,19 +263,12 @@ constexpr Drawer drawers[] = {
     {"ELLIPSE", ellipse},
 };
 
-const Drawer* drawer_of(std::string_view type) {
-  for (const Drawer& drawer : drawers)
-    if (drawer.type == type) return &drawer;
-  return nullptr;
-}
-
 }  // namespace
 
-bool is_drawn(std::string_view type) { return drawer_of(type) != nullptr; }
-
-DxfDrawn draw(DxfEntity& entity, double same_point) {
-  const Drawer* drawer = drawer_of(entity.type);
-  return drawer ? drawer->draw(entity, same_point) : DxfDrawn{};
+std::optional<DxfDrawn> draw(DxfEntity& entity) {
+  for (const Drawer& drawer : drawers)
+    if (drawer.type == entity.type) return drawer.draw(entity);
+  return std::nullopt;
 }
 
 }  // namespace evenlift

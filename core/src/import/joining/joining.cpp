@@ -33,6 +33,8 @@ class Sets {
   std::vector<std::size_t> parent_;
 };
 
+constexpr std::size_t no_chain = static_cast<std::size_t>(-1);
+
 // The pieces of one or more layers as a graph.
 class Drawing {
  public:
@@ -57,6 +59,7 @@ class Drawing {
 
   void take_atoms();
   void number_places();
+  void find_closed_chains();
   void divide_lines(double near, const std::vector<std::size_t>& number);
   std::vector<std::size_t> line_ranks();
   std::vector<GraphEdge> edges();
@@ -74,6 +77,7 @@ class Drawing {
   Points places_;                       // distinct, by x, then y
   std::vector<std::vector<std::pair<double, std::size_t>>> divided_;  // by atom: `along`, `place`
   Sets sets_;
+  std::vector<std::size_t> closed_chain_;  // by place: that it is in, perhaps none
   std::vector<Face> faces_;
   std::vector<GraphEdge> edges_;
   std::vector<std::pair<std::size_t, std::size_t>> bridges_;  // straight lines across wide gaps
@@ -125,7 +129,27 @@ void Drawing::number_places() {
     });
 }
 
-// Divides straight lines at the given places that are on them.
+// The chains of lines and arcs that close without any other: two ends meet at each of their places.
+void Drawing::find_closed_chains() {
+  Sets chains(places_.size());
+  std::vector<std::uint32_t> ends(places_.size());
+  for (std::size_t a = 0; a < atoms_.size(); ++a) {
+    const std::size_t from = sets_.of(from_[a]), to = sets_.of(to_[a]);
+    chains.merge(from, to);
+    ++ends[from];
+    ++ends[to];
+  }
+  std::vector<char> closes(places_.size(), 1);
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    if (sets_.of(i) == i && ends[i] != 2) closes[chains.of(i)] = 0;
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const std::size_t chain = chains.of(sets_.of(i));
+    closed_chain_.push_back(closes[chain] != 0 ? chain : no_chain);
+  }
+}
+
+// Divides straight lines at the given places that are on them. A closed chain does not divide another:
+// where they also cross, neither would be found.
 void Drawing::divide_lines(double near, const std::vector<std::size_t>& number) {
   if (number.empty()) return;
   Points some;
@@ -143,7 +167,9 @@ void Drawing::divide_lines(double near, const std::vector<std::size_t>& number) 
       const double along = dot(apart, way) / square;
       if (!(along > 0 && along < 1)) return;
       if (length(apart - along * way) > near) return;
-      const std::size_t place = number[i];
+      const std::size_t place = number[i], chain = closed_chain_[from_[a]];
+      if (chain != no_chain && closed_chain_[place] != no_chain && closed_chain_[place] != chain)
+        return;
       for (const std::size_t end : {from_[a], to_[a]})
         if (sets_.of(end) == sets_.of(place)) return;
       divided_[a].emplace_back(along, place);
@@ -285,6 +311,7 @@ void Drawing::remember_apart() {
 void Drawing::connect(std::optional<double> reach) {
   take_atoms();
   number_places();
+  find_closed_chains();
   std::vector<std::size_t> all(places_.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   divide_lines(rounding * side_, all);
@@ -317,11 +344,16 @@ void Drawing::add_outlines(Joining& joining) const {
         used.begin(), used.end(),
         [&](std::size_t a, std::size_t b) { return pieces_[a].layer < pieces_[b].layer; });
     const std::string& layer = pieces_[*least].layer;
-    const std::size_t copy = pieces_[used.front()].copy;
-    const bool of_one_copy = std::all_of(
-        used.begin(), used.end(), [&](std::size_t piece) { return pieces_[piece].copy == copy; });
-    joining.outlines.push_back({outline_of(face, edges_, places_), used.size(), layer,
-                                layer != pieces_[*greatest].layer, of_one_copy ? copy : 0});
+    const DrawnPiece& first = pieces_[used.front()];
+    const auto all = [&](auto member) {
+      return std::all_of(used.begin(), used.end(), [&](std::size_t piece) {
+        return pieces_[piece].*member == first.*member;
+      });
+    };
+    const bool is_named = !first.name.empty() && all(&DrawnPiece::name);
+    joining.outlines.push_back({outline_of(face, edges_, places_), used.size(),
+                                is_named ? first.name : layer, layer != pieces_[*greatest].layer,
+                                all(&DrawnPiece::copy) ? first.copy : 0});
   }
 }
 

@@ -209,14 +209,15 @@ Uniting unite_touching(const std::vector<Points>& rings);
 struct DrawnPiece {
   Outline outline;
   std::string layer;
-  bool filled = false;   // matters if a straight edge closes the piece
-  std::size_t copy = 0;  // the copy of a block that it belongs to; 0 for none
+  bool filled = false;    // matters if a straight edge closes the piece
+  std::size_t copy = 0;   // the copy of a block that it belongs to; 0 for none
+  std::string name = {};  // of the object that it is a part of
 };
 
 struct JoinedOutline {
   Outline outline;     // counter-clockwise, from the corner that is first by x, then y
   std::size_t parts;   // the number of its pieces
-  std::string layer;   // the first, by name, of the layers of its pieces
+  std::string name;    // of all its pieces; else the first, by name, of their layers
   bool across_layers;  // its pieces are on several layers
   std::size_t copy;    // of all its pieces; 0 if they have not all the same
 };

@@ -123,21 +123,16 @@ std::string SvgReader::called(const pugi::xml_node& node, const Context& context
 std::optional<std::optional<double>> SvgReader::length(const pugi::xml_node& node,
                                                        const Context& context,
                                                        const char* attribute) {
-  const std::string_view name = attribute, of_width[] = {"x", "cx", "x1", "x2", "width", "rx"},
-                         of_height[] = {"y", "cy", "y1", "y2", "height", "ry"};
-  const auto is_in = [&](const auto& names) {
-    return std::find(std::begin(names), std::end(names), name) != std::end(names);
-  };
   const auto& [width, height] = context.viewport;
   std::optional<double> whole;
-  if (is_in(of_width))
+  if ("x cx x1 x2 width rx"_words.has(attribute))
     whole = width;
-  else if (is_in(of_height))
+  else if ("y cy y1 y2 height ry"_words.has(attribute))
     whole = height;
   else if (width && height)
     whole = std::sqrt((*width * *width + *height * *height) / 2);
   const std::string_view own = value_of(node, attribute);
-  auto declared = svg_length(geometry_of(context.declared, name, own), whole);
+  auto declared = svg_length(geometry_of(context.declared, attribute, own), whole);
   // A style that is not a length counts as none.
   if (std::holds_alternative<SvgProblem>(declared)) declared = svg_length(own, whole);
   return checked(node, attribute, std::move(declared));
@@ -177,11 +172,12 @@ void SvgReader::add(const Outline& outline, const Context& context, const std::s
       {{std::move(image)}, called, kind, fill_of(context), context.look.is_white_page()});
 }
 
-void SvgReader::add_open(const Outline& outline, const Context& context) {
+void SvgReader::add_open(const Outline& outline, const Context& context,
+                         const std::string& called) {
   if (outline.pieces.empty()) return;
   piece_points_ += outline.pieces.size();
   pieces_.push_back(
-      {placed(outline, context), std::string(context.layer), context.look.is_filled()});
+      {placed(outline, context), std::string(context.layer), context.look.is_filled(), 0, called});
 }
 
 void SvgReader::path(const pugi::xml_node& node, const Context& context,
@@ -193,7 +189,7 @@ void SvgReader::path(const pugi::xml_node& node, const Context& context,
   for (const auto& [outline, closed] : *outlines) {
     const double meet = same_point * larger_side(control_box(outline));
     if (!closed && !is_near(outline.start, outline.end(), meet))
-      add_open(outline, context);
+      add_open(outline, context, called);
     else if (closed || !outline.pieces.empty())  // otherwise a move alone
       drawn.parts.push_back(placed(outline, context));
   }
@@ -221,10 +217,11 @@ void SvgReader::points(const pugi::xml_node& node, const Context& context,
   if (closed || is_near(outline.start, outline.end(), meet))
     add(outline, context, called, what);
   else
-    add_open(outline, context);
+    add_open(outline, context, called);
 }
 
-void SvgReader::line(const pugi::xml_node& node, const Context& context) {
+void SvgReader::line(const pugi::xml_node& node, const Context& context,
+                     const std::string& called) {
   const auto x1 = length(node, context, "x1"), y1 = length(node, context, "y1"),
              x2 = length(node, context, "x2"), y2 = length(node, context, "y2");
   if (!x1 || !y1 || !x2 || !y2) return;
@@ -233,7 +230,7 @@ void SvgReader::line(const pugi::xml_node& node, const Context& context) {
   const Vec2 end(x2->value_or(0), y2->value_or(0));
   if (end == outline.start) return;
   outline.line_to(end);
-  add_open(outline, context);
+  add_open(outline, context, called);
 }
 
 void SvgReader::rectangle(const pugi::xml_node& node, const Context& context,
@@ -297,7 +294,7 @@ void SvgReader::shape(const pugi::xml_node& node, const Context& context, std::s
   else if (name == "circle" || name == "ellipse")
     ellipse(node, context, name_of_it, name == "circle");
   else if (name == "line")
-    line(node, context);
+    line(node, context, name_of_it);
   else
     points(node, context, name_of_it, name == "polygon");
 }

@@ -5,6 +5,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
@@ -109,44 +110,46 @@ SvgResult<std::vector<SvgOutline>> svg_path(std::string_view text);
 // --- Finds out how the elements of an SVG look, from attributes, style attributes, style sheets and
 // inheritance.
 
-// The properties that decide whether and where an element is seen.
-enum class SvgProperty : std::uint8_t {
-  display,
-  visibility,
-  opacity,
-  fill,
-  fill_opacity,
-  stroke,
-  stroke_opacity,
-  stroke_width,
-  fill_rule,
-  transform,
-  transform_origin,
-  transform_box,
-  translate,
-  rotate,
-  scale,
-  x,
-  y,
-  cx,
-  cy,
-  r,
-  rx,
-  ry,
-  width,
-  height,
-  d,
-  clip_path,
-  mask,
-  count
-};
-inline constexpr auto svg_property_count = static_cast<std::size_t>(SvgProperty::count);
+// The properties that decide whether and where an element is seen. The last three may not be
+// attributes, only styles.
+inline constexpr std::string_view svg_properties[] = {"display",
+                                                      "visibility",
+                                                      "opacity",
+                                                      "fill",
+                                                      "fill-opacity",
+                                                      "stroke",
+                                                      "stroke-opacity",
+                                                      "stroke-width",
+                                                      "fill-rule",
+                                                      "transform",
+                                                      "transform-origin",
+                                                      "transform-box",
+                                                      "x",
+                                                      "y",
+                                                      "cx",
+                                                      "cy",
+                                                      "r",
+                                                      "rx",
+                                                      "ry",
+                                                      "width",
+                                                      "height",
+                                                      "d",
+                                                      "clip-path",
+                                                      "mask",
+                                                      "translate",
+                                                      "rotate",
+                                                      "scale"};
+inline constexpr std::size_t svg_property_count = std::size(svg_properties);
+
+// The place of the name in svg_properties, in upper or lower case; svg_property_count if it is none.
+std::size_t svg_property(std::string_view name);
 
 // The values declared for one element; the value of a property that is not declared is empty.
 struct SvgDeclared {
   std::array<std::string_view, svg_property_count> values;
-  std::string_view operator[](SvgProperty property) const {
-    return values[static_cast<std::size_t>(property)];
+  // Of a property in svg_properties.
+  std::string_view operator[](std::string_view property) const {
+    return values.at(svg_property(property));
   }
 };
 
@@ -207,7 +210,7 @@ class SvgStyles {
   };
   struct Declaration {
     Selector selector;
-    SvgProperty property;
+    std::size_t property;  // in svg_properties
     bool important;
     std::uint32_t order;
     std::string_view value;
@@ -352,7 +355,7 @@ class SvgReader {
   void rectangle(const pugi::xml_node& node, const Context& context, const std::string& called);
   void ellipse(const pugi::xml_node& node, const Context& context, const std::string& called,
                bool circle);
-  void line(const pugi::xml_node& node, const Context& context);
+  void line(const pugi::xml_node& node, const Context& context, const std::string& called);
   std::string called(const pugi::xml_node& node, const Context& context) const;
   // The length given by the attribute, in user units; percentages refer to the context's viewport.
   // The inner optional is empty if no length is given, the outer one if there is a problem.
@@ -360,7 +363,7 @@ class SvgReader {
                                               const char* attribute);
   void add(const Outline& outline, const Context& context, const std::string& called,
            const char* kind);
-  void add_open(const Outline& outline, const Context& context);
+  void add_open(const Outline& outline, const Context& context, const std::string& called);
   static Fill fill_of(const Context& context);
   Outline placed(const Outline& outline, const Context& context);
   void note_cut(const Box& box, const Context& context, const std::string& called);

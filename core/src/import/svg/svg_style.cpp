@@ -12,45 +12,7 @@
 namespace evenlift {
 namespace {
 
-struct NamedProperty {
-  std::string_view name;
-  SvgProperty property;
-  bool has_attribute;  // may also be an attribute
-};
-constexpr NamedProperty properties[] = {{"display", SvgProperty::display, true},
-                                        {"visibility", SvgProperty::visibility, true},
-                                        {"opacity", SvgProperty::opacity, true},
-                                        {"fill", SvgProperty::fill, true},
-                                        {"fill-opacity", SvgProperty::fill_opacity, true},
-                                        {"stroke", SvgProperty::stroke, true},
-                                        {"stroke-opacity", SvgProperty::stroke_opacity, true},
-                                        {"stroke-width", SvgProperty::stroke_width, true},
-                                        {"fill-rule", SvgProperty::fill_rule, true},
-                                        {"transform", SvgProperty::transform, true},
-                                        {"transform-origin", SvgProperty::transform_origin, true},
-                                        {"transform-box", SvgProperty::transform_box, true},
-                                        {"translate", SvgProperty::translate, false},
-                                        {"rotate", SvgProperty::rotate, false},
-                                        {"scale", SvgProperty::scale, false},
-                                        {"x", SvgProperty::x, true},
-                                        {"y", SvgProperty::y, true},
-                                        {"cx", SvgProperty::cx, true},
-                                        {"cy", SvgProperty::cy, true},
-                                        {"r", SvgProperty::r, true},
-                                        {"rx", SvgProperty::rx, true},
-                                        {"ry", SvgProperty::ry, true},
-                                        {"width", SvgProperty::width, true},
-                                        {"height", SvgProperty::height, true},
-                                        {"d", SvgProperty::d, true},
-                                        {"clip-path", SvgProperty::clip_path, true},
-                                        {"mask", SvgProperty::mask, true}};
-static_assert(std::size(properties) == svg_property_count);
-
-const NamedProperty* property_named(std::string_view name) {
-  for (const NamedProperty& property : properties)
-    if (same_word(name, property.name)) return &property;
-  return nullptr;
-}
+constexpr std::size_t only_styles = 3;  // the last of svg_properties
 
 bool is_white_space(char c) { return is_space_in_line(c) || ends_line(c) || c == '\f'; }
 
@@ -85,9 +47,9 @@ std::size_t find_outside(std::string_view text, std::string_view marks, std::siz
 }
 
 struct StyleValue {
-  const NamedProperty* property;
+  std::size_t property = svg_property_count;  // in svg_properties
   std::string_view value;
-  bool important;
+  bool important = false;
 };
 
 bool cut_important(std::string_view& value) {
@@ -108,8 +70,8 @@ void each_declaration(std::string_view text, Take take) {
     at = end + 1;
     const std::size_t colon = declaration.find(':');
     if (colon == std::string_view::npos) continue;
-    const NamedProperty* property = property_named(without_space(declaration.substr(0, colon)));
-    if (property == nullptr) continue;
+    const std::size_t property = svg_property(without_space(declaration.substr(0, colon)));
+    if (property == svg_property_count) continue;
     StyleValue value{property, without_space(declaration.substr(colon + 1)), false};
     value.important = cut_important(value.value);
     if (!value.value.empty()) take(value);
@@ -178,10 +140,17 @@ bool is_more_than_zero(std::string_view value) { return !is_zero(value); }
 
 }  // namespace
 
+std::size_t svg_property(std::string_view name) {
+  const auto found = std::find_if(std::begin(svg_properties), std::end(svg_properties),
+                                  [&](std::string_view each) { return same_word(name, each); });
+  return static_cast<std::size_t>(found - std::begin(svg_properties));
+}
+
 std::string_view geometry_of(const SvgDeclared& declared, std::string_view attribute,
                              std::string_view otherwise) {
-  const NamedProperty* const property = property_named(attribute);
-  std::string_view value = property ? without_space(declared[property->property]) : otherwise;
+  const std::size_t property = svg_property(attribute);
+  if (property == svg_property_count) return otherwise;
+  std::string_view value = without_space(declared.values[property]);
   if (value.empty()) return otherwise;
   if (same_word(value, "auto")) return {};
   constexpr std::string_view path = "path(";
@@ -192,25 +161,24 @@ std::string_view geometry_of(const SvgDeclared& declared, std::string_view attri
 }
 
 bool hides_all(const SvgDeclared& declared) {
-  return same_word(declared[SvgProperty::display], "none") ||
-         is_zero(declared[SvgProperty::opacity]);
+  return same_word(declared["display"], "none") || is_zero(declared["opacity"]);
 }
 
 SvgLook inherited(SvgLook look, const SvgDeclared& declared) {
   constexpr SvgLook first;
   struct Row {
-    SvgProperty property;
+    std::string_view property;
     bool SvgLook::*value;
     bool (*is_seen)(std::string_view);
   };
-  constexpr Row rows[] = {{SvgProperty::visibility, &SvgLook::visible, is_visible},
-                          {SvgProperty::fill, &SvgLook::fill, is_paint},
-                          {SvgProperty::fill, &SvgLook::white, is_white},
-                          {SvgProperty::fill_opacity, &SvgLook::fill_opaque, is_more_than_zero},
-                          {SvgProperty::stroke, &SvgLook::stroke, is_paint},
-                          {SvgProperty::stroke_opacity, &SvgLook::stroke_opaque, is_more_than_zero},
-                          {SvgProperty::stroke_width, &SvgLook::stroke_wide, is_more_than_zero},
-                          {SvgProperty::fill_rule, &SvgLook::nonzero, is_nonzero_rule}};
+  constexpr Row rows[] = {{"visibility", &SvgLook::visible, is_visible},
+                          {"fill", &SvgLook::fill, is_paint},
+                          {"fill", &SvgLook::white, is_white},
+                          {"fill-opacity", &SvgLook::fill_opaque, is_more_than_zero},
+                          {"stroke", &SvgLook::stroke, is_paint},
+                          {"stroke-opacity", &SvgLook::stroke_opaque, is_more_than_zero},
+                          {"stroke-width", &SvgLook::stroke_wide, is_more_than_zero},
+                          {"fill-rule", &SvgLook::nonzero, is_nonzero_rule}};
   for (const Row& row : rows) {
     const std::string_view value = declared[row.property];
     if (value.empty() || same_word(value, "inherit") || same_word(value, "unset")) continue;
@@ -221,9 +189,8 @@ SvgLook inherited(SvgLook look, const SvgDeclared& declared) {
 
 class SvgStyles::Cascade {
  public:
-  void take(SvgProperty property, std::string_view value, bool important, std::uint32_t specificity,
+  void take(std::size_t at, std::string_view value, bool important, std::uint32_t specificity,
             std::uint32_t order) {
-    const auto at = static_cast<std::size_t>(property);
     const Strength strength{important, specificity, order};
     if (strength < strengths_[at]) return;
     strengths_[at] = strength;
@@ -328,7 +295,7 @@ bool SvgStyles::read_rule(std::string_view selectors, std::string_view body) {
   // Keeps one value for each property before the list of selectors multiplies them.
   std::array<StyleValue, svg_property_count> values{};
   each_declaration(body, [&](const StyleValue& value) {
-    StyleValue& kept = values[static_cast<std::size_t>(value.property->property)];
+    StyleValue& kept = values[value.property];
     if (!kept.important || value.important) kept = value;
   });
   for (std::size_t at = 0; at <= selectors.size();) {
@@ -337,16 +304,15 @@ bool SvgStyles::read_rule(std::string_view selectors, std::string_view body) {
     const std::optional<Selector> selector = simple_selector(text);
     at = comma + 1;
     for (const StyleValue& value : values) {
-      if (value.property == nullptr) continue;
-      const SvgProperty property = value.property->property;
+      if (value.property == svg_property_count) continue;
       if (!selector) {
-        skipped_paint_ |= property == SvgProperty::fill || property == SvgProperty::stroke;
+        skipped_paint_ |= "fill stroke"_words.has(svg_properties[value.property]);
         skip(text);
         continue;
       }
       if (declarations_.size() >= most_declarations) return false;
       const auto order = static_cast<std::uint32_t>(declarations_.size() + 1);
-      declarations_.push_back({*selector, property, value.important, order, value.value});
+      declarations_.push_back({*selector, value.property, value.important, order, value.value});
     }
   }
   return true;
@@ -372,10 +338,10 @@ SvgDeclared SvgStyles::of(const pugi::xml_node& node) const {
     if (name == "id") id = value;
     if (name == "class") classes = value;
     if (name == "style") style = value;
-    const NamedProperty* property = property_named(name);
+    const std::size_t property = svg_property(name);
     const std::string_view trimmed = without_space(value);
-    if (property != nullptr && property->has_attribute && !trimmed.empty())
-      cascade.take(property->property, trimmed, false, 0, 0);
+    if (property < svg_property_count - only_styles && !trimmed.empty())
+      cascade.take(property, trimmed, false, 0, 0);
   }
   if (!declarations_.empty()) {
     const std::string_view tag = local_name(node);
@@ -393,7 +359,7 @@ SvgDeclared SvgStyles::of(const pugi::xml_node& node) const {
     }
   }
   each_declaration(style, [&](const StyleValue& value) {
-    cascade.take(value.property->property, value.value, value.important, of_style_attribute, 0);
+    cascade.take(value.property, value.value, value.important, of_style_attribute, 0);
   });
   return cascade.declared();
 }

@@ -120,17 +120,11 @@ namespace {
 // The depth of nested elements to which the reader recurses.
 constexpr int max_nesting = 256;
 
-template <std::size_t size>
-bool is_one_of(std::string_view name, const std::string_view (&names)[size]) {
-  return std::find(std::begin(names), std::end(names), name) != std::end(names);
-}
-
 // Not drawn in place.
-constexpr std::string_view unseen[] = {
-    "defs",  "clipPath",       "mask", "pattern", "marker", "symbol",         "style", "metadata",
-    "title", "linearGradient", "desc", "script",  "filter", "radialGradient", "font",  "namedview"};
-constexpr std::string_view drawn[] = {"path",   "polygon", "polyline", "rect",
-                                      "circle", "ellipse", "line"};
+constexpr WordList unseen =
+    "defs clipPath mask pattern marker symbol style metadata title linearGradient desc script filter "
+    "radialGradient font namedview"_words;
+constexpr WordList drawn = "path polygon polyline rect circle ellipse line"_words;
 
 struct Other {
   std::string_view name, one, many;
@@ -142,13 +136,7 @@ constexpr Other others[] = {{"text", "text", "texts", true},
                             {"foreignObject", "foreign object", "foreign objects", false}};
 
 // Styles that move a shape and are not supported.
-struct Mover {
-  SvgProperty property;
-  const char* name;
-};
-constexpr Mover movers[] = {{SvgProperty::translate, "translate"},
-                            {SvgProperty::rotate, "rotate"},
-                            {SvgProperty::scale, "scale"}};
+constexpr const char* movers[] = {"translate", "rotate", "scale"};
 
 // In a <switch>, programs put first what only they can read, then a version for others.
 bool may_be_chosen(const pugi::xml_node& node) {
@@ -228,7 +216,7 @@ void SvgReader::take_text(const pugi::xml_node& node, const SvgDeclared& declare
     if (is_new_line && !words.empty()) words += ' ';
     words += is_span ? child.child_value() : child.value();
   }
-  const std::string_view moved = declared[SvgProperty::transform];
+  const std::string_view moved = declared["transform"];
   if (!x && !y && moved.empty()) return;
   Affine map = inside.matrix;
   if (!moved.empty()) {
@@ -242,24 +230,24 @@ void SvgReader::take_text(const pugi::xml_node& node, const SvgDeclared& declare
 
 bool SvgReader::transform(const pugi::xml_node& node, const SvgDeclared& declared,
                           Context& inside) {
-  for (const Mover& mover : movers) {
-    const std::string_view value = declared[mover.property];
+  for (const char* const mover : movers) {
+    const std::string_view value = declared[mover];
     if (value.empty() || same_word(value, "none")) continue;
     problem(node, say("the SVG moves a shape by the style {name}, which is not supported; use a "
                       "transform (in Inkscape: save as Plain SVG)",
-                      {in_quotes(mover.name)}));
+                      {in_quotes(mover)}));
     return false;
   }
-  const std::string_view text = declared[SvgProperty::transform];
+  const std::string_view text = declared["transform"];
   if (text.empty()) return true;
   const auto matrix = checked(node, "drawing", svg_transform(text));
   if (!matrix) return false;
-  const std::string_view origin_text = declared[SvgProperty::transform_origin];
+  const std::string_view origin_text = declared["transform-origin"];
   if (origin_text.empty()) {
     inside.matrix = inside.matrix * *matrix;
     return true;
   }
-  const std::string_view box = declared[SvgProperty::transform_box];
+  const std::string_view box = declared["transform-box"];
   if (!box.empty() && !same_word(box, "view-box")) {
     problem(node,
             "the SVG turns a shape about a point of its own box (transform-box), which is "
@@ -324,10 +312,10 @@ std::optional<Box> SvgReader::window_of(std::string_view id, const Context& insi
 }
 
 void SvgReader::take_cuts(const SvgDeclared& declared, Context& inside) {
-  for (const SvgProperty property : {SvgProperty::clip_path, SvgProperty::mask}) {
+  for (const std::string_view property : {"clip-path", "mask"}) {
     const std::string_view id = referenced(declared[property]);
     if (id.empty() || !node_of(id)) continue;  // one that is not there cuts nothing
-    const auto window = property == SvgProperty::clip_path ? window_of(id, inside) : std::nullopt;
+    const auto window = property == "clip-path" ? window_of(id, inside) : std::nullopt;
     inside.is_cut = inside.is_cut || !window;
     if (window) inside.window = inside.window ? common(*inside.window, *window) : *window;
   }
@@ -336,7 +324,7 @@ void SvgReader::take_cuts(const SvgDeclared& declared, Context& inside) {
 // Returns false if the element is left out.
 bool SvgReader::enter(const pugi::xml_node& node, std::string_view name, Context& inside) {
   const SvgDeclared declared = styles_.of(node);
-  inside.declared = is_one_of(name, drawn) ? declared : SvgDeclared{};
+  inside.declared = drawn.has(name) ? declared : SvgDeclared{};
   if (hides_all(declared)) {
     hide(node, inside);
     return false;
@@ -345,7 +333,7 @@ bool SvgReader::enter(const pugi::xml_node& node, std::string_view name, Context
   if (name == "text" && inside.look.visible) take_text(node, declared, inside);
   if (leaves_out(node, name, inside) || !transform(node, declared, inside)) return false;
   take_cuts(declared, inside);
-  if (!is_one_of(name, drawn)) return true;
+  if (!drawn.has(name)) return true;
   if (!inside.look.visible) {
     hide(node, inside);
     return false;
@@ -360,10 +348,10 @@ bool SvgReader::enter(const pugi::xml_node& node, std::string_view name, Context
 std::optional<InputError> SvgReader::element(const pugi::xml_node& node, const Context& context,
                                              int depth) {
   const std::string_view name = local_name(node);
-  if (is_one_of(name, unseen) || is_foreign(node)) return std::nullopt;
+  if (unseen.has(name) || is_foreign(node)) return std::nullopt;
   Context inside = context;
   if (!enter(node, name, inside)) return std::nullopt;
-  if (is_one_of(name, drawn)) {
+  if (drawn.has(name)) {
     shape(node, inside, name);
     return std::nullopt;
   }

@@ -149,280 +149,102 @@ Words words_of(std::string_view heading) {
   return words;
 }
 
-template <std::size_t n>
-bool is_among(std::string_view word, const std::string_view (&list)[n]) {
-  return std::find(std::begin(list), std::end(list), word) != std::end(list);
+bool any_among(const Words& words, WordList list) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](const std::string& word) { return list.has(word); });
 }
 
 // --- The words
 
 struct Meaning {
-  std::string_view word;
   Column column;
+  WordList words;
 };
 
 constexpr Meaning meanings[] = {
-    {"x", Column::x},
-    {"y", Column::y},
-    {"z", Column::height},
-    {"easting", Column::easting},
-    {"eastings", Column::easting},
-    {"east", Column::easting},
-    {"ost", Column::easting},
-    {"ostwert", Column::easting},
-    {"rechtswert", Column::easting},
-    {"rechts", Column::easting},
-    {"rw", Column::easting},
-    {"est", Column::easting},
-    {"este", Column::easting},
-    {"oost", Column::easting},
-    {"abscissa", Column::easting},
-    {"abscisse", Column::easting},
-    {"northing", Column::northing},
-    {"northings", Column::northing},
-    {"north", Column::northing},
-    {"nord", Column::northing},
-    {"nordwert", Column::northing},
-    {"hochwert", Column::northing},
-    {"hoch", Column::northing},
-    {"hw", Column::northing},
-    {"norte", Column::northing},
-    {"noord", Column::northing},
-    {"ordinate", Column::northing},
-    {"ordonnee", Column::northing},
-    {"ordonn\xc3\xa9"
-     "e",
-     Column::northing},
-    {"lon", Column::longitude},
-    {"long", Column::longitude},
-    {"lng", Column::longitude},
-    {"longitude", Column::longitude},
-    {"longitud", Column::longitude},
-    {"l\xc3\xa4ngengrad", Column::longitude},
-    {"laengengrad", Column::longitude},
-    {"lat", Column::latitude},
-    {"latitude", Column::latitude},
-    {"latitud", Column::latitude},
-    {"breitengrad", Column::latitude},
-    {"height", Column::height},
-    {"elevation", Column::height},
-    {"elev", Column::height},
-    {"ele", Column::height},
-    {"el", Column::height},
-    {"altitude", Column::height},
-    {"alt", Column::height},
-    {"h", Column::height},
-    {"h\xc3\xb6he", Column::height},
-    {"hoehe", Column::height},
-    {"level", Column::height},
-    {"rl", Column::height},
-    {"cota", Column::height},
-    {"quota", Column::height},
-    {"objectid", Column::number},
-    {"oid", Column::number},
-    {"fid", Column::number},
-    {"gid", Column::number},
-    {"uid", Column::number},
-    {"id", Column::number},
-    {"no", Column::number},
-    {"nr", Column::number},
-    {"num", Column::number},
-    {"n\xc2\xb0", Column::number},
-    {"n\xc2\xba", Column::number},
-    {"number", Column::number},
-    {"nummer", Column::number},
-    {"numero", Column::number},
-    {"num\xc3\xa9ro", Column::number},
-    {"index", Column::number},
-    {"idx", Column::number},
-    {"seq", Column::number},
-    {"sequence", Column::number},
-    {"order", Column::number},
-    {"count", Column::number},
-    {"anzahl", Column::number},
-    {"row", Column::number},
-    {"line", Column::number},
-    {"pnt", Column::number},
-    {"pn", Column::number},
-    {"p", Column::number},
-    {"pkt", Column::number},
-    {"punktnummer", Column::number},
-    {"pointid", Column::number},
-    {"pointno", Column::number},
-    {"name", Column::name},
-    {"nom", Column::name},
-    {"nome", Column::name},
-    {"nombre", Column::name},
-    {"label", Column::name},
-    {"title", Column::name},
-    {"bezeichnung", Column::name},
-    {"designation", Column::name},
-    {"nazwa", Column::name},
-    {"naam", Column::name},
-    {"jack", Column::support},
-    {"jacks", Column::support},
-    {"support", Column::support},
-    {"robot", Column::support},
-    {"leg", Column::support},
-    {"pad", Column::support},
-    {"stand", Column::support},
-    {"st\xc3\xbctze", Column::support},
-    {"stuetze", Column::support},
-    {"auflager", Column::support},
-    {"heber", Column::support},
-    {"winde", Column::support},
-    {"bein", Column::support},
-    {"appui", Column::support},
-    {"v\xc3\xa9rin", Column::support},
-    {"verin", Column::support},
-    {"apoyo", Column::support},
-    {"gato", Column::support},
-    {"appoggio", Column::support},
-    {"capacity", Column::capacity},
-    {"capacities", Column::capacity},
-    {"cap", Column::capacity},
-    {"swl", Column::capacity},
-    {"wll", Column::capacity},
-    {"tragkraft", Column::capacity},
-    {"traglast", Column::capacity},
-    {"tragf\xc3\xa4higkeit", Column::capacity},
-    {"tragfaehigkeit", Column::capacity},
-    {"kapazit\xc3\xa4t", Column::capacity},
-    {"capacit\xc3\xa9", Column::capacity},
-    {"capacite", Column::capacity},
-    {"cmu", Column::capacity},
-    {"capacidad", Column::capacity},
-    {"capacit\xc3\xa0", Column::capacity},
-    {"portata", Column::capacity},
-    {"reading", Column::load},
-    {"readings", Column::load},
-    {"reads", Column::load},
-    {"scale", Column::load},
-    {"load", Column::load},
-    {"loads", Column::load},
-    {"weight", Column::load},
-    {"weights", Column::load},
-    {"anzeige", Column::load},
-    {"ablesung", Column::load},
-    {"last", Column::load},
-    {"gewicht", Column::load},
-    {"messwert", Column::load},
-    {"lecture", Column::load},
-    {"charge", Column::load},
-    {"poids", Column::load},
-    {"lectura", Column::load},
-    {"carga", Column::load},
-    {"peso", Column::load},
-    {"carico", Column::load},
-    {"dia", Column::size},
-    {"diam", Column::size},
-    {"diameter", Column::size},
-    {"diametre", Column::size},
-    {"diam\xc3\xa8tre", Column::size},
-    {"di\xc3\xa1metro", Column::size},
-    {"diametro", Column::size},
-    {"durchmesser", Column::size},
-    {"radius", Column::size},
-    {"radio", Column::size},
-    {"rayon", Column::size},
-    {"drill", Column::size},
-    {"thickness", Column::thickness},
-    {"dicke", Column::thickness},
+    {Column::x, "x"_words},
+    {Column::y, "y"_words},
+    {Column::height,
+     "z height elevation elev ele el altitude alt h höhe hoehe level rl cota quota"_words},
+    {Column::easting,
+     "easting eastings east ost ostwert rechtswert rechts rw est este oost abscissa abscisse"_words},
+    {Column::northing,
+     "northing northings north nord nordwert hochwert hoch hw norte noord ordinate ordonnee "
+     "ordonnée"_words},
+    {Column::longitude, "lon long lng longitude longitud längengrad laengengrad"_words},
+    {Column::latitude, "lat latitude latitud breitengrad"_words},
+    {Column::number,
+     "objectid oid fid gid uid id no nr num n° nº number nummer numero numéro index idx seq "
+     "sequence order count anzahl row line pnt pn p pkt punktnummer pointid pointno"_words},
+    {Column::name, "name nom nome nombre label title bezeichnung designation nazwa naam"_words},
+    {Column::support,
+     "jack jacks support robot leg pad stand stütze stuetze auflager heber winde bein appui "
+     "vérin verin apoyo gato appoggio"_words},
+    {Column::capacity,
+     "capacity capacities cap swl wll tragkraft traglast tragfähigkeit tragfaehigkeit kapazität "
+     "capacité capacite cmu capacidad capacità portata"_words},
+    {Column::load,
+     "reading readings reads scale load loads weight weights anzeige ablesung last gewicht "
+     "messwert lecture charge poids lectura carga peso carico"_words},
+    {Column::size,
+     "dia diam diameter diametre diamètre diámetro diametro durchmesser radius radio rayon "
+     "drill"_words},
+    {Column::thickness, "thickness dicke"_words},
 };
 
 // Before a word of loads they make a capacity: "max. load".
-constexpr std::string_view greatest[] = {
-    "max",     "maximum", "maximal",          "maximale",   "rated",  "allowable", "zul",
-    "working", "safe",    "zul\xc3\xa4ssige", "zulaessige", "maxima", "maximo",    "m\xc3\xa1xima"};
+constexpr WordList greatest =
+    "max maximum maximal maximale rated allowable zul working safe zulässige zulaessige maxima "
+    "maximo máxima"_words;
 
 // Words that do not change the meaning of the coordinate.
-constexpr std::string_view beside[] = {"coord",
-                                       "coords",
-                                       "coordinate",
-                                       "coordinates",
-                                       "coor",
-                                       "koordinate",
-                                       "koord",
-                                       "pos",
-                                       "position",
-                                       "posn",
-                                       "point",
-                                       "points",
-                                       "pt",
-                                       "pts",
-                                       "punkt",
-                                       "vertex",
-                                       "node",
-                                       "corner",
-                                       "value",
-                                       "wert",
-                                       "axis",
-                                       "center",
-                                       "centre",
-                                       "start",
-                                       "insertion",
-                                       "location",
-                                       "coordonn\xc3\xa9"
-                                       "e",
-                                       "coordonnee",
-                                       "coordenada",
-                                       "coordinata",
-                                       "utm",
-                                       "grid",
-                                       "local",
-                                       "world",
-                                       "map",
-                                       "geo",
-                                       "gps",
-                                       "wgs",
-                                       "etrs",
-                                       "dd",
-                                       "decimal",
-                                       "deg",
-                                       "degree",
-                                       "degrees",
-                                       "in",
-                                       "the"};
-
-constexpr std::string_view unit_words[] = {
-    "m",           "cm",          "mm",          "km",          "ft",
-    "inch",        "inches",      "feet",        "foot",        "usft",
-    "px",          "meter",       "meters",      "metre",       "metres",
-    "millimeter",  "millimeters", "millimetre",  "millimetres", "centimeter",
-    "centimeters", "centimetre",  "centimetres", "us",          "survey"};
+constexpr WordList beside =
+    "coord coords coordinate coordinates coor koordinate koord pos position posn point points "
+    "pt pts punkt vertex node corner value wert axis center centre start insertion location "
+    "coordonnée coordonnee coordenada coordinata utm grid local world map geo gps wgs etrs dd "
+    "decimal deg degree degrees in the"_words;
 
 struct UnitWord {
-  std::string_view word;
   LengthUnit unit;
+  WordList words;
 };
 
-constexpr UnitWord units_in_words[] = {
-    {"meter", LengthUnit::m},       {"meters", LengthUnit::m},
-    {"metre", LengthUnit::m},       {"metres", LengthUnit::m},
-    {"millimeter", LengthUnit::mm}, {"millimeters", LengthUnit::mm},
-    {"millimetre", LengthUnit::mm}, {"millimetres", LengthUnit::mm},
-    {"centimeter", LengthUnit::cm}, {"centimeters", LengthUnit::cm},
-    {"centimetre", LengthUnit::cm}, {"centimetres", LengthUnit::cm},
-    {"inch", LengthUnit::in},       {"inches", LengthUnit::in},
-};
+constexpr UnitWord unit_words[] = {
+    {LengthUnit::m, "meter meters metre metres"_words},
+    {LengthUnit::mm, "millimeter millimeters millimetre millimetres"_words},
+    {LengthUnit::cm, "centimeter centimeters centimetre centimetres"_words},
+    {LengthUnit::in, "inch inches"_words},
+    {LengthUnit::none, "m cm mm km ft feet foot usft px us survey"_words}};
+
+bool is_unit_word(std::string_view word) {
+  return std::any_of(std::begin(unit_words), std::end(unit_words),
+                     [&](const UnitWord& unit) { return unit.words.has(word); });
+}
+
+bool is_beside(std::string_view word) { return beside.has(word) || is_unit_word(word); }
 
 Column meaning_of(std::string_view word) {
   for (const Meaning& meaning : meanings)
-    if (word == meaning.word) return meaning.column;
+    if (meaning.words.has(word)) return meaning.column;
   return Column::other;
+}
+
+bool means(const Words& words, Column column) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](const std::string& word) { return meaning_of(word) == column; });
 }
 
 // "xcoord", "posx", "xmm": an axis with a word of `beside` or `unit_words`.
 Column meaning_of_compound(std::string_view word) {
   if (word.size() < 3) return Column::other;
-  const auto is_beside = [](std::string_view rest) {
-    return rest != "in" && rest != "the" && (is_among(rest, beside) || is_among(rest, unit_words));
+  const auto may_join = [](std::string_view rest) {
+    return rest != "in" && rest != "the" && is_beside(rest);
   };
   const auto axis = [](char c) {
     return c == 'x' ? Column::x : c == 'y' ? Column::y : c == 'z' ? Column::height : Column::other;
   };
-  if (is_beside(word.substr(1))) return axis(word.front());
-  if (is_beside(word.substr(0, word.size() - 1))) return axis(word.back());
+  if (may_join(word.substr(1))) return axis(word.front());
+  if (may_join(word.substr(0, word.size() - 1))) return axis(word.back());
   return Column::other;
 }
 
@@ -436,7 +258,7 @@ bool is_coordinate(Column column) { return column > Column::other && column < Co
 
 // E and N, alone or with a unit: letters that only a pair of headings explains.
 Column meaning_of_letter(const Words& words) {
-  const bool with_unit = words.size() == 2 && is_among(words[1], unit_words);
+  const bool with_unit = words.size() == 2 && is_unit_word(words[1]);
   if (words.size() != 1 && !with_unit) return Column::other;
   if (words[0] == "e") return Column::easting;
   if (words[0] == "n") return Column::northing;
@@ -454,7 +276,7 @@ Reading reading_of(std::string_view heading) {
     if (is_coordinate(column)) {
       reading.column = column;
       ++coordinates;
-    } else if (is_among(word, beside) || is_among(word, unit_words)) {
+    } else if (is_beside(word)) {
       ++apart;
     } else {
       understood = false;
@@ -483,12 +305,7 @@ std::optional<std::size_t> best_column(const std::vector<Reading>& readings, Col
 
 bool is_in_feet(std::string_view heading) {
   const Words words = words_of(heading);
-  static constexpr std::string_view feet[] = {"ft", "feet", "foot"};
-  static constexpr std::string_view survey[] = {"us", "survey"};
-  return std::any_of(words.begin(), words.end(),
-                     [](const std::string& word) { return is_among(word, feet); }) &&
-         std::none_of(words.begin(), words.end(),
-                      [](const std::string& word) { return is_among(word, survey); });
+  return any_among(words, "ft feet foot"_words) && !any_among(words, "us survey"_words);
 }
 
 Column column_of(std::string_view heading) {
@@ -496,43 +313,29 @@ Column column_of(std::string_view heading) {
   const Reading reading = reading_of(heading);
   if (reading.column != Column::other) return reading.column;
   const Words words = words_of(heading);
-  const auto means = [&](Column column) {
-    return std::any_of(words.begin(), words.end(),
-                       [&](const std::string& word) { return meaning_of(word) == column; });
-  };
-  if (means(Column::name)) return Column::name;
-  static constexpr std::string_view points[] = {"point", "points", "pt",   "pts",
-                                                "punkt", "vertex", "node", "corner"};
-  const bool of_a_point = std::any_of(
-      words.begin(), words.end(), [](const std::string& word) { return is_among(word, points); });
-  return of_a_point || means(Column::number) ? Column::number : Column::other;
+  if (means(words, Column::name)) return Column::name;
+  const bool of_a_point = any_among(words, "point points pt pts punkt vertex node corner"_words);
+  return of_a_point || means(words, Column::number) ? Column::number : Column::other;
 }
 
 bool may_tell_shapes(std::string_view heading) {
-  static constexpr std::string_view shapes[] = {"part",  "shape",   "polygon", "ring", "layer",
-                                                "parts", "feature", "parcel",  "body", "object"};
   const Column column = column_of(heading);
-  if (column == Column::name || column == Column::number) return true;
-  const Words words = words_of(heading);
-  return column == Column::other &&
-         std::any_of(words.begin(), words.end(), [](auto& word) { return is_among(word, shapes); });
+  return column == Column::name || column == Column::number ||
+         (column == Column::other &&
+          any_among(words_of(heading),
+                    "part parts shape polygon ring layer feature parcel body object"_words));
 }
 
 Column content_of(std::string_view heading) {
   const Words words = words_of(heading);
-  const auto means = [&](Column column) {
-    return std::any_of(words.begin(), words.end(),
-                       [&](const std::string& word) { return meaning_of(word) == column; });
-  };
-  const bool is_greatest = std::any_of(
-      words.begin(), words.end(), [](const std::string& word) { return is_among(word, greatest); });
   // A single letter has other meanings.
   const bool is_unit =
       words.size() == 1 && words[0].size() > 1 && weight_unit_in(heading).value_or(0) > 0;
-  if (means(Column::capacity) || (is_greatest && means(Column::load))) return Column::capacity;
+  if (means(words, Column::capacity) || (any_among(words, greatest) && means(words, Column::load)))
+    return Column::capacity;
   for (const Column column :
        {Column::size, Column::thickness, Column::load, Column::name, Column::support})
-    if (means(column)) return column;
+    if (means(words, column)) return column;
   return is_unit ? Column::load : Column::other;
 }
 
@@ -548,7 +351,7 @@ std::optional<double> weight_unit_in(std::string_view heading) {
       {"n", newton}, {"dan", 10 * newton}, {"kn", 1000 * newton}};
   for (const auto& [name, kilograms] : known)
     if (same_word(unit, name)) return kilograms;
-  if (is_among(unit, greatest)) return std::nullopt;  // "capacity (max)"
+  if (greatest.has(unit)) return std::nullopt;  // "capacity (max)"
   return open == std::string_view::npos ? std::nullopt : std::optional(0.0);
 }
 
@@ -556,10 +359,7 @@ Fields names_among(const Fields& words) {
   Fields names;
   for (const std::string_view word : words) {
     const Words parts = words_of(word);
-    const bool is_beside = std::all_of(parts.begin(), parts.end(), [](const std::string& part) {
-      return is_among(part, beside) || is_among(part, unit_words);
-    });
-    if (is_beside) continue;
+    if (std::all_of(parts.begin(), parts.end(), is_beside)) continue;
     if (column_of(word) == Column::other) return {};
     names.push_back(word);
   }
@@ -573,8 +373,8 @@ LengthUnit unit_in(std::string_view heading) {
       if (unit != LengthUnit::none && same_word(words[i], name(unit)) &&
           (words[i] != "in" || i + 1 == words.size()))
         return unit;
-    for (const UnitWord& unit : units_in_words)
-      if (words[i] == unit.word) return unit.unit;
+    for (const UnitWord& unit : unit_words)
+      if (unit.unit != LengthUnit::none && unit.words.has(words[i])) return unit.unit;
   }
   return LengthUnit::none;
 }
