@@ -44,11 +44,11 @@ std::vector<std::string> names_of_lessons(bool with_task) {
   return names;
 }
 
-struct Source {
+struct GivenText {
   std::string name, text;
 };
 
-Source find_text(const std::string& option, const std::string& given) {
+GivenText find_text(const std::string& option, const std::string& given) {
   if (given == "-") return {"standard input", read_standard_input()};
   if (std::optional<std::string> text = read_file(given)) return {given, *std::move(text)};
   if (has_lesson_link(given)) {
@@ -67,7 +67,7 @@ Source find_text(const std::string& option, const std::string& given) {
 }  // namespace
 
 LessonText read_lesson(const std::string& option, const std::string& given) {
-  Source source = find_text(option, given);
+  GivenText source = find_text(option, given);
   Result<Lesson> lesson = parse_lesson(source.text);
   if (!lesson) throw bad_input(source.name, lesson.error());
   LessonText read{source.name, std::move(source.text), *std::move(lesson), {}};

@@ -128,8 +128,8 @@ class StandOracle {
   }
 
   static double to_segment(const Vec2& s, const Vec2& a, const Vec2& b) {
-    const double square = dot(b - a, b - a);
-    const double part = square > 0 ? std::clamp(dot(s - a, b - a) / square, 0.0, 1.0) : 0;
+    const double squared = dot(b - a, b - a);
+    const double part = squared > 0 ? std::clamp(dot(s - a, b - a) / squared, 0.0, 1.0) : 0;
     return length(s - a - part * (b - a));
   }
 

@@ -305,7 +305,7 @@ TEST_CASE("the loads of each model are shown, and what they presume is said", "[
     for (std::size_t i = 0; i < expected.size(); ++i)
       CHECK(state.derived().report.loads[i].greatest == expected[i].greatest);
     CHECK(model_words(state) ==
-          model_in_words({*state.derived().placement, Asked{.model = model}}));
+          model_in_words({*state.derived().placement, evenlift::Asked{.model = model}}));
     // The headline's loads are the plan's, marked as planned beside another model's.
     CHECK(verdict(state).headline.starts_with("As planned, ") == (model != LoadModel::plan));
   }

@@ -36,12 +36,12 @@ TEST_CASE("steps of undo that were kept outside come back in their order, with a
   CHECK(again.redoes() == Edit::method);
   const History::Recalled done = again.redo(now);
   CHECK(done.document.settings.method == Method::random);
-  CHECK(done.beside == Beside{Method::area});
+  CHECK(done.beside == view::Beside{Method::area});
   CHECK(again.undo(done.document).document.vertices == now.vertices);
   const History::Recalled moved = again.undo(now);
   CHECK(moved.document.vertices == document(l_shape).vertices);
   CHECK(moved.document.settings.weight == 437);
-  CHECK(moved.beside == Beside{Method::circle});
+  CHECK(moved.beside == view::Beside{Method::circle});
   CHECK(moved.edit == Edit::vertex_moved);
   CHECK(again.undo(moved.document).document.settings.weight == 100);
   CHECK_FALSE(again.can_undo());
@@ -77,7 +77,7 @@ TEST_CASE("a lesson is left by steps that were kept outside, too", "[view][histo
     const std::optional<History::Recalled> before = again.leave_lesson(lessons);
     REQUIRE(before);
     CHECK(before->document.vertices == mine.vertices);
-    CHECK(before->beside == Beside{Method::circle});
+    CHECK(before->beside == view::Beside{Method::circle});
     CHECK(again.undoes() == (edited ? Edit::lesson_left : Edit::weight));
     if (edited) CHECK(again.undo(mine).document.vertices == lessons.vertices);
   }

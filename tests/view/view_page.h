@@ -155,7 +155,7 @@ class Page {
     settle(app);
   }
 
-  void press(const Key& key) {
+  void press(const view::Key& key) {
     const Action* found = action_for(app.state, key);
     REQUIRE(found != nullptr);
     found->run(app.state, app.commands);
