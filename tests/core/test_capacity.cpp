@@ -369,17 +369,12 @@ TEST_CASE("no setting changes a plan unnoticed", "[capacity][slow]") {
       {"tilted", {"0.1"}},
       {"heading", {"1,0"}},
   };
-  std::vector<Document> documents;
-  for (const char* name : {"grand-piano", "puzzle-piece"}) {
-    for (const Method method :
-         {Method::area, Method::random, Method::distributed, Method::balanced}) {
-      documents.push_back(corpus::polygon(name));
-      documents.back().settings.method = method;
-    }
-    documents.push_back(corpus::polygon(name));  // teams that are swapped
-    documents.back().settings.positions = Positions::range;
-    documents.back().settings.goal = Goal::hold;
-  }
+  std::vector<Document> documents(5, corpus::polygon("grand-piano"));
+  constexpr Method methods[] = {Method::area, Method::random, Method::distributed,
+                                Method::balanced};
+  for (std::size_t i = 0; i < std::size(methods); ++i) documents[i].settings.method = methods[i];
+  documents.back().settings.positions = Positions::range;  // teams that are swapped
+  documents.back().settings.goal = Goal::hold;
   int changed_plans = 0;
   for (const SettingRow& row : all_settings()) {
     if (row.changes != Changes::stands && row.changes != Changes::loads) continue;

@@ -120,7 +120,7 @@ TEST_CASE("balanced robots are measured with every number of them, as place find
 TEST_CASE("robots with a size, cargo and failures are measured as place and its report tell them",
           "[experiment][slow]") {
   experiment::ExperimentSettings settings{
-      .most_teams = 9, .most_balanced = 7, .weight = {}, .failures = true};
+      .most_teams = 5, .most_balanced = 5, .weight = {}, .failures = true};
   for (const double radius : {0.0, 12.0}) {
     settings.robot.radius = radius;
     for (const char* name : {"thesis-sample", "comb"}) {
