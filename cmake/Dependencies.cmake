@@ -126,6 +126,8 @@ if(EVENLIFT_VIEW)
   target_compile_options(imgui PRIVATE -fno-exceptions -w ${evenlift_small})
   if(EMSCRIPTEN)
     target_compile_options(imgui PRIVATE -fno-inline-functions) # smaller, and not performance-critical
+  elseif(CMAKE_BUILD_TYPE STREQUAL "Release")
+    target_compile_options(imgui PRIVATE -O1) # only tests have it
   endif()
 endif()
 

@@ -680,9 +680,10 @@ TEST_CASE("JSON that a script assigns to a variable is read as JSON", "[import][
       REQUIRE(import);
       CHECK(import->shapes[0].document.vertices == Points{{0, 0}, {30, 0}, {30, 20.5}});
     }
+  CHECK(read_shapes("points = [(0, 0), (30, 0), (30, 20.5)]"));
   CHECK_FALSE(read_shapes("f(" + json + ")"));
   CHECK_FALSE(read_shapes("a = " + json + "; b()"));
-  CHECK(refusal("a = [[0, 0], [30, 0],\n[30]]").find("line 2, column 1") == 0);
+  CHECK(refusal("a = [[0, 0], [30, 0],\n[30]]").find("line 2, column 4") == 0);
 }
 
 TEST_CASE("a result opens again with all its settings", "[import][json]") {
@@ -799,8 +800,10 @@ TEST_CASE("files of other kinds are refused with what to do", "[import]") {
   CHECK(refusal("\x89PNG\r\n").find("trace it") != std::string::npos);
   CHECK(refusal("PK\x03\x04").find("CSV") != std::string::npos);
   CHECK(refusal(std::string("\0\0", 2)).find("not text") != std::string::npos);
-  CHECK(refusal("town\n1\n\t8.1 47.0\n\t8.2 47.0\n\t8.2 47.1\nEND\nEND\n").find("(.poly)") !=
+  CHECK(refusal("Isle of Man\n1\n\t8.1 47.0\n\t8.2 47.0\n\t8.2 47.1\nEND\nEND\n").find("(.poly)") !=
         std::string::npos);
+  CHECK(refusal("plate\nouter\n 0 0\n 30 0\n 30 20\nEND PLATE\n") ==
+        "line 6, column 1: \"END\" is not a number");
   CHECK(refusal("").find("the text is empty") != std::string::npos);
   CHECK_FALSE(read_shapes("0 0\n1 0\n1 1\n", {-1.0}).ok());
   CHECK_FALSE(read_shapes("0 0\n1 0\n1 1\n", {HUGE_VAL}).ok());

@@ -156,6 +156,13 @@ TEST_CASE("columns: within a column of kinds, the column of names parts the shap
     CHECK(same_vertices(import->shapes[1].document.vertices, {{10, 3}, {10, 0}, {6, 0}}));
   }
   CHECK(notes(kinds + points).back() == "3 groups of fewer than three points were left out");
+  // Segments of outlines are not their names.
+  const std::string segments =
+      "Part,Segment,X,Y\nA,1,0,0\nA,1,5,0\nA,1,9,0\nA,2,9,5\nA,2,9,9\nA,3,5,9\nA,3,0,9\nA,3,0,5\n"
+      "B,4,20,0\nB,4,25,0\nB,4,29,0\nB,5,29,5\nB,5,29,9\nB,6,25,9\nB,6,20,9\nB,6,20,5\n";
+  const Result<Import> parts = read_shapes(segments);
+  REQUIRE(parts);
+  CHECK(parts->shapes.size() == 2);
   // A mark at one point of an outline is not the name of a shape.
   const std::string marked =
       "East,North,Mark\n0,0,edge\n9,0,edge\n9,5,edge\n9,9,corner\n0,9,edge\n0,5,edge\n1,4,edge\n";

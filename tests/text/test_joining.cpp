@@ -82,6 +82,13 @@ TEST_CASE("outlines that close alone stay whole where one's corners touch the ot
     CHECK(areas(joining) == std::vector<double>{120 * 80, area});
     CHECK(joining.open.empty());
   }
+  // So it is where ends of the other have a gap that is joined.
+  std::vector<DrawnPiece> gapped = sides(pentagon);
+  gapped[0] = line({10, 80.001}, {15, 83});
+  CHECK(areas(join(sides(plate) + gapped)).size() == 2);
+  // Two outlines that share a part of a line are two shapes, and neither has the other's area.
+  CHECK(areas(join(sides(plate) + sides({{20, 0}, {50, 0}, {50, 20}, {20, 20}}))) ==
+        std::vector<double>{120 * 80 - 30 * 20, 30 * 20});
   // A line between two edges still cuts the plate.
   CHECK(areas(join(sides(plate) + std::vector<DrawnPiece>{line({50, 0}, {50, 80})})) ==
         std::vector<double>{70 * 80, 50 * 80});

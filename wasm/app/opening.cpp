@@ -67,7 +67,7 @@ namespace {
 std::optional<InputError> join(AppState& state, Script script) {
   if (state.derived().refusal || !state.derived().placement ||
       state.work.document().vertices != script.of.vertices)
-    return InputError{ErrorCode::bad_syntax, "it is about another polygon than the link", {}};
+    return InputError{ErrorCode::bad_syntax, "it is about another polygon than the link"};
   const bool begins = !walkthrough_is_open(state);
   open_walkthrough(state);
   conclude(state);
@@ -126,7 +126,7 @@ std::optional<InputError> open_task(AppState& state, OpenTask task, Opened of_it
   const bool same_shape = state.work.document().vertices == of_it.document.vertices;
   const bool other_shape = std::find(may.begin(), may.end(), Movable::vertices) != may.end();
   if (start == LessonStart::join && !same_shape && !other_shape)
-    return InputError{ErrorCode::bad_syntax, "it is about another polygon than the link", {}};
+    return InputError{ErrorCode::bad_syntax, "it is about another polygon than the link"};
   if (start != LessonStart::join) {
     open_anew(state, std::move(of_it), task.preview);
     show_as(state, task.lesson);

@@ -50,7 +50,7 @@ struct Place {
 struct InputError {
   ErrorCode code;
   std::string message;  // one sentence, without the place and without a full stop
-  Place place;
+  Place place = {};
 };
 
 // The error for an invalid setting or option. `name` is its name in JSON, and `why` is the message.

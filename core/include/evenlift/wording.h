@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace evenlift {
 
@@ -71,5 +72,8 @@ std::string say(std::string_view english, std::initializer_list<Value> values = 
 
 // Works like say(), but the values are an array of `number` texts, which are not translated.
 std::string say_written(std::string_view english, const std::string* values, std::size_t number);
+
+// "a", "a and b", "a, b and c": the items, which are not translated. O(bytes).
+std::string listed(const std::vector<std::string>& items);
 
 }  // namespace evenlift

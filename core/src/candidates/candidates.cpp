@@ -86,8 +86,7 @@ std::optional<InputError> check_number_in_ranges(std::uint64_t sources) {
       ErrorCode::too_many_edge_pairs,
       say("the polygon has {number} edge pairs and opposite vertices about its centre "
           "of mass; with positions anywhere in the range, at most {most} are allowed",
-          {std::to_string(sources), std::to_string(most)}),
-      {}};
+          {std::to_string(sources), std::to_string(most)})};
 }
 
 Result<Found> find(const Polygon& polygon, const Vec2& centre, double min_ratio,

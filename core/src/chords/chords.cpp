@@ -184,8 +184,7 @@ std::optional<InputError> check_number(std::uint64_t number, const char* what) {
   return InputError{
       ErrorCode::too_many_edge_pairs,
       say("the polygon has {number} {things} about its centre of mass, more than {most}",
-          {std::to_string(number), what, std::to_string(max_edge_pairs)}),
-      {}};
+          {std::to_string(number), what, std::to_string(max_edge_pairs)})};
 }
 
 namespace {
@@ -262,8 +261,7 @@ InputError too_many_opposite_vertices() {
       ErrorCode::too_many_edge_pairs,
       say("the polygon has more than {most} edge pairs and opposite vertices about its centre of "
           "mass",
-          {std::to_string(max_edge_pairs)}),
-      {}};
+          {std::to_string(max_edge_pairs)})};
 }
 
 namespace {

@@ -119,7 +119,7 @@ InputError out_of_place(const TextCursor& cursor, bool after_cargo) {
 
 Result<Document> read_thesis(std::string_view text) {
   if (text.size() > max_text_bytes)
-    return InputError{ErrorCode::text_too_long, "the text is longer than 64 MiB", {}};
+    return InputError{ErrorCode::text_too_long, "the text is longer than 64 MiB"};
   Document document;
   TextCursor cursor(without_byte_order_mark(text));
   cursor.skip_white_space();
@@ -245,17 +245,16 @@ class OneShape final : public ShapeSink {
   Result<Document> finish(const char* format) {
     if (count_ == 1) return check_size(std::move(shape_));
     if (count_ > 1)
-      return InputError{ErrorCode::unsupported, say("it has {number} shapes", {count_}), {}};
+      return InputError{ErrorCode::unsupported, say("it has {number} shapes", {count_})};
     if (problem_) return *std::move(problem_);
-    return InputError{ErrorCode::unsupported, say("this {format} has no polygon", {format}), {}};
+    return InputError{ErrorCode::unsupported, say("this {format} has no polygon", {format})};
   }
 
  private:
   static Result<Document> check_size(Document document) {
     std::size_t vertices = document.vertices.size();
     for (const Points& hole : document.holes) vertices += hole.size();
-    if (vertices > max_vertices)
-      return InputError{ErrorCode::too_many_vertices, no_more_vertices, {}};
+    if (vertices > max_vertices) return InputError{ErrorCode::too_many_vertices, no_more_vertices};
     return document;
   }
 

@@ -526,8 +526,7 @@ Result<Import> ColumnReader::read() {
   if (auto wrong = read_lines()) return *std::move(wrong);
   if (rows_ == 0) {
     return InputError{ErrorCode::bad_syntax,
-                      say("this text is in an unknown format: {formats}", {known_formats}),
-                      {}};
+                      say("this text is in an unknown format: {formats}", {known_formats})};
   }
   if (auto wrong = check_count()) return *std::move(wrong);
   join_surfaces();

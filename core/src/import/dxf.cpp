@@ -175,7 +175,7 @@ void DxfReader::take_drawn(DxfDrawn drawn, const DxfEntity& entity, std::string_
   piece_count_ += drawn.outline.pieces.size();
   if (piece_count_ > max_vertices)
     return stop(
-        {ErrorCode::too_many_vertices, "the DXF drawing has more than 1048576 lines and arcs", {}});
+        {ErrorCode::too_many_vertices, "the DXF drawing has more than 1048576 lines and arcs"});
   Outline outline = frame.block ? transformed(drawn.outline, frame.map) : std::move(drawn.outline);
   // Layer 0 is the default: its name carries no meaning.
   const std::string name = layer == "0" ? std::string() : with_letters(layer);
@@ -188,7 +188,7 @@ void DxfReader::take_drawn(DxfDrawn drawn, const DxfEntity& entity, std::string_
     return gathering_.add({{outline}, name, drawn.closed_kind, Fill::none, false, frame.copy});
   if (!within_bounds(outline))
     return gathering_.add_problem(
-        {ErrorCode::bad_coordinate, "a coordinate is beyond 1,000,000,000", {}});
+        {ErrorCode::bad_coordinate, "a coordinate is beyond 1,000,000,000"});
   if (!outline.pieces.empty()) pieces_.push_back({std::move(outline), name, false, frame.copy});
 }
 
@@ -269,9 +269,9 @@ void DxfReader::count_inserted(std::size_t bytes) {
   inserted_bytes_ += bytes;
   static_assert(max_inserted_bytes >> 20 == 128, "the message names the number");
   if (inserted_bytes_ > max_inserted_bytes)
-    stop({ErrorCode::too_many_vertices,
-          "the DXF drawing inserts its blocks too often: with all copies it is longer than 128 MiB",
-          {}});
+    stop(
+        {ErrorCode::too_many_vertices,
+         "the DXF drawing inserts its blocks too often: with all copies it is longer than 128 MiB"});
 }
 
 void DxfReader::take_all(std::size_t offset, const Frame& frame) {
@@ -305,7 +305,7 @@ InputError DxfReader::nothing_found() const {
     message = say("this DXF drawing has no closed outline");
   if (splines_ > 0)
     message = say("{problem}; such splines must be turned into polylines first", {message});
-  return {ErrorCode::unsupported, message, {}};
+  return {ErrorCode::unsupported, message};
 }
 
 Result<Import> DxfReader::read() {

@@ -176,31 +176,27 @@ std::string clean_name(std::string_view name) {
   return clean;
 }
 
-void LeftOut::add(std::string_view one, std::string_view many) {
+void LeftOut::add(std::string_view one, std::string_view many, std::size_t count) {
+  if (count == 0) return;
   for (Kind& kind : counts_) {
     if (kind.one != one) continue;
-    ++kind.count;
+    kind.count += count;
     return;
   }
   // A text may contain any number of names.
   constexpr std::size_t most_names = 19;
   if (counts_.size() < most_names)
-    counts_.push_back({std::string(one), std::string(many), 1});
+    counts_.push_back({std::string(one), std::string(many), count});
   else if (counts_.size() == most_names)
-    counts_.push_back({"thing of another kind", "things of other kinds", 1});
+    counts_.push_back({"thing of another kind", "things of other kinds", count});
   else
-    ++counts_.back().count;
+    counts_.back().count += count;
 }
 
 std::string LeftOut::list() const {
-  std::string text;
-  for (std::size_t i = 0; i < counts_.size(); ++i) {
-    const std::string item = counted(counts_[i].count, counts_[i].one, counts_[i].many);
-    text = i == 0                   ? item
-           : i + 1 < counts_.size() ? text + ", " + item
-                                    : say("{first} and {last}", {text, item});
-  }
-  return text;
+  std::vector<std::string> items;
+  for (const Kind& kind : counts_) items.push_back(counted(kind.count, kind.one, kind.many));
+  return listed(items);
 }
 
 std::size_t LeftOut::total() const {
@@ -218,10 +214,10 @@ void LeftOut::remove(std::string_view one, std::size_t count) {
 bool Gathering::has_room(std::size_t vertices) {
   if (full_) return false;
   if (outlines_ == max_shapes)
-    full_ = InputError{ErrorCode::unsupported, "the text has more than 10000 shapes", {}};
+    full_ = InputError{ErrorCode::unsupported, "the text has more than 10000 shapes"};
   else if (vertices > max_vertices - vertices_)
-    full_ = InputError{
-        ErrorCode::too_many_vertices, "the shapes have more than 1048576 vertices together", {}};
+    full_ = InputError{ErrorCode::too_many_vertices,
+                       "the shapes have more than 1048576 vertices together"};
   static_assert(max_shapes == 10000 && max_vertices == 1048576, "the messages name the numbers");
   return !full_;
 }
@@ -236,7 +232,7 @@ std::optional<ImportedShape> Gathering::flattened(const Outline& outline) {
   if (full_) return std::nullopt;
   const Box box = control_box(outline);
   if (!all_finite(outline) || !within_bounds(box)) {
-    add_problem({ErrorCode::bad_coordinate, "a coordinate is beyond 1,000,000,000", {}});
+    add_problem({ErrorCode::bad_coordinate, "a coordinate is beyond 1,000,000,000"});
     return std::nullopt;
   }
   const double side = larger_side(box);
@@ -254,8 +250,7 @@ std::optional<ImportedShape> Gathering::flattened(const Outline& outline) {
         ErrorCode::too_many_vertices,
         curved ? "the shapes have more than 1048576 vertices together; with a greater distance "
                  "between curves and edges they have fewer"
-               : "the shapes have more than 1048576 vertices together",
-        {}};
+               : "the shapes have more than 1048576 vertices together"};
     return std::nullopt;
   }
   while (points->size() > 1 &&

@@ -33,7 +33,7 @@ std::string clean_name(std::string_view name);
 // Counts objects by name. The 20th name and all further ones count as one.
 class LeftOut {
  public:
-  void add(std::string_view one, std::string_view many);
+  void add(std::string_view one, std::string_view many, std::size_t count = 1);
   bool empty() const { return counts_.empty(); }
   // The counts in words, such as "2 texts and 1 dimension", in the order of first appearance.
   std::string list() const;

@@ -60,9 +60,9 @@ std::optional<std::string> printed_wkt(std::string_view text) {
   return plain;
 }
 
-// JSON that a script assigns to a variable: "var plates = {…};". Returns the same text with blanks in
-// place of all but the JSON; nothing for other texts.
-std::optional<std::string> assigned_json(std::string_view text) {
+// JSON, or Python's points, that a script assigns to a variable: "var plates = {…};". Returns the same
+// text with blanks in place of all but the value; nothing for other texts.
+std::optional<std::string> assigned(std::string_view text) {
   const std::size_t first = text.find_first_of("{["), last = text.find_last_of("}]");
   if (first == text.npos || last == text.npos || last < first) return std::nullopt;
   std::string_view before = text.substr(0, text.find_last_not_of(" \t\r\n", first - 1) + 1);
@@ -83,7 +83,7 @@ std::optional<std::string> assigned_json(std::string_view text) {
 Result<Import> read_format(std::string_view text, const ImportOptions& options) {
   TextCursor cursor(text);
   cursor.skip_white_space();
-  if (const auto json = assigned_json(text)) return read_json_shapes(*json, options);
+  if (const auto value = assigned(text)) return read_format(*value, options);
   if (const auto printed = printed_wkt(text)) return read_wkt_shapes(*printed, options);
   if (cursor.at_end()) return cursor.error(ErrorCode::bad_syntax, "the text is empty");
   if (cursor.sees('<')) return read_svg(text, options);
@@ -160,8 +160,7 @@ std::string projection_note(const Projection& projection) {
 Result<Import> projected(Import import) {
   if (import.has_settings)
     return InputError{ErrorCode::unsupported,
-                      "a result of evenlift keeps its coordinates, which are no degrees",
-                      {}};
+                      "a result of evenlift keeps its coordinates, which are no degrees"};
   const Result<Projection> projection = Projection::about_middle(box_of(import.shapes));
   if (!projection) return projection.error();
   const auto convert = [&](Points& points) {
@@ -185,22 +184,19 @@ Result<Import> projected(Import import) {
 Result<Import> read_shapes(std::string_view text, const ImportOptions& options) {
   if (options.tolerance && !(*options.tolerance > 0 && std::isfinite(*options.tolerance)))
     return InputError{ErrorCode::bad_setting,
-                      "the distance between curves and edges must be a number above 0",
-                      {}};
+                      "the distance between curves and edges must be a number above 0"};
   if (options.join && !(*options.join > 0 && std::isfinite(*options.join)))
     return InputError{ErrorCode::bad_setting,
-                      "the distance of ends that are joined must be a number above 0",
-                      {}};
+                      "the distance of ends that are joined must be a number above 0"};
   if (text.size() > max_text_bytes)
-    return InputError{ErrorCode::text_too_long, "the text is longer than 64 MiB", {}};
+    return InputError{ErrorCode::text_too_long, "the text is longer than 64 MiB"};
   text = without_byte_order_mark(text);
   if (const char* refusal = refusal_of_other_kind(text))
-    return InputError{ErrorCode::unsupported, refusal, {}};
+    return InputError{ErrorCode::unsupported, refusal};
   const std::optional<std::string> collection = collected(text);
   if (collection) text = *collection;
   if (std::any_of(text.begin(), text.end(), is_no_text))
-    return InputError{
-        ErrorCode::unsupported, say("this is not text: {formats}", {known_formats}), {}};
+    return InputError{ErrorCode::unsupported, say("this is not text: {formats}", {known_formats})};
   Result<Import> import = read_format(text, options);
   if (import && !options.holes)
     if (std::string note = leave_out_holes(import->shapes); !note.empty())
@@ -216,7 +212,7 @@ std::size_t count_parts(const Import& import) {
 
 namespace {
 
-InputError no_choice(std::string why) { return {ErrorCode::unsupported, std::move(why), {}}; }
+InputError no_choice(std::string why) { return {ErrorCode::unsupported, std::move(why)}; }
 
 Result<std::size_t> only_part(const Import& import) {
   if (count_parts(import) == 1 && !import.doubtful) return std::size_t{0};
@@ -240,8 +236,7 @@ Result<std::size_t> choose_shape(const Import& import, const std::optional<std::
       return InputError{
           ErrorCode::bad_setting,
           say("shapes {first} and {second} are both called {name}; give a number instead",
-              {*found + 1, i + 1, in_quotes(*wanted)}),
-          {}};
+              {*found + 1, i + 1, in_quotes(*wanted)})};
     found = i;
   }
   if (found) return *found;

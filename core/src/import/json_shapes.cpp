@@ -257,17 +257,15 @@ Result<Import> JsonShapes::finish(const char* format) {
   return gathering_.finish(
       {ErrorCode::unsupported,
        found.empty() ? say("this {format} has no polygon", {format})
-                     : say("this {format} has no polygon, only {things}", {format, found}),
-       {}});
+                     : say("this {format} has no polygon, only {things}", {format, found})});
 }
 
 Result<Import> JsonShapes::read_array() {
-  if (lists_robots(tree_.root()))
-    return InputError{ErrorCode::unsupported, robots_are_no_polygon, {}};
+  if (lists_robots(tree_.root())) return InputError{ErrorCode::unsupported, robots_are_no_polygon};
   gathering_.import.format = "points in JSON";
   arrays(tree_.root(), "");
   gathering_.add_notes(notes_);
-  return gathering_.finish({ErrorCode::bad_syntax, "this JSON has no list of points [x, y]", {}});
+  return gathering_.finish({ErrorCode::bad_syntax, "this JSON has no list of points [x, y]"});
 }
 
 // Reads members such as {"points": [[0, 0], ...]}, and lists of such lists.
@@ -287,11 +285,10 @@ Result<Import> JsonShapes::read() {
   if (is(tree_.root(), Kind::array)) return read_array();
   if (tree_.member(0, "polygon")) return result_of_evenlift();
   if (is(tree_.member(0, "robots"), Kind::array) && tree_.member(0, "frame"))
-    return InputError{ErrorCode::unsupported, robots_are_no_polygon, {}};
+    return InputError{ErrorCode::unsupported, robots_are_no_polygon};
   if (tree_.is_string(tree_.member(0, "type"), "Topology"))
     return InputError{ErrorCode::unsupported,
-                      "this is TopoJSON, which evenlift does not read: convert it to GeoJSON",
-                      {}};
+                      "this is TopoJSON, which evenlift does not read: convert it to GeoJSON"};
   if (!tree_.member(0, "type")) {
     if (read_esri()) return finish("Esri JSON");
     read_members();
@@ -299,8 +296,7 @@ Result<Import> JsonShapes::read() {
     return gathering_.finish(
         {ErrorCode::bad_syntax,
          "this JSON is neither GeoJSON (it has no \"type\") nor a result that evenlift "
-         "saved (it has no \"polygon\")",
-         {}});
+         "saved (it has no \"polygon\")"});
   }
   gathering_.import.format = "GeoJSON";
   geojson_.take_all();

@@ -324,15 +324,18 @@ bool is_map_answer(std::string_view text) {
          contains(text, "\"node\"") && contains(text, "\"lat\"");
 }
 
-// A name, and rings: each has a name, lines of longitude and latitude, and END.
+// A name, and rings: each has a name, indented lines of longitude and latitude, and END.
 bool is_map_area(std::string_view text) {
   Lines lines(text);
-  for (const std::size_t size : {1u, 1u, 2u}) {
-    const std::optional<Line> line = lines.next();
-    const Fields cells = line ? split_cells(line->text, ' ') : Fields();
-    if (cells.size() != size || (size == 2 && numbers_after_first(cells) == 0)) return false;
-  }
-  return contains(text, "\nEND");
+  lines.next();
+  const std::optional<Line> name = lines.next(), first = lines.next();
+  if (!first || split_cells(name->text, ' ').size() != 1 || !is_space_in_line(first->text[0]))
+    return false;
+  const Fields cells = split_cells(first->text, ' ');
+  const bool ends = text.size() == first_bytes || contains(text, "\nEND\n") ||
+                    contains(text, "\nEND\r") || text.ends_with("\nEND");
+  return ends && cells.size() == 2 && cell_number(cells[0], false) &&
+         numbers_after_first(cells) == 1;
 }
 
 bool is_gerber(std::string_view text) { return contains(text, "%FSLA") || contains(text, "%FSTA"); }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
@@ -131,16 +132,14 @@ std::string label(std::size_t column, const Fields& headings) {
 
 std::string note_of(const NumberColumns& all, const NumberColumn& x, const NumberColumn& y,
                     const Fields& headings) {
-  std::string reasons;
-  for (const NumberColumn& each : all) {
-    if (!each.reason || each.column >= y.column) continue;
-    const std::string reason = say(each.reason, {label(each.column, headings)});
-    reasons = reasons.empty() ? reason : say("{first} and {last}", {reasons, reason});
-  }
+  std::vector<std::string> reasons;
+  for (const NumberColumn& each : all)
+    if (each.reason && each.column < y.column)
+      reasons.push_back(say(each.reason, {label(each.column, headings)}));
   if (reasons.empty()) return "the first two columns with numbers were taken as x and y";
   return say(
       "{x} was taken as x and {y} as y, since {reasons}; headings such as No, N, E, Z say otherwise",
-      {label(x.column, headings), label(y.column, headings), reasons});
+      {label(x.column, headings), label(y.column, headings), listed(reasons)});
 }
 
 }  // namespace
@@ -223,28 +222,32 @@ bool has_words_or_counts(std::string_view rows, const CellStyle& style, std::siz
 namespace {
 
 constexpr std::size_t shortest_run = 3;
+constexpr std::size_t most_columns = 64;  // that are looked at
 
 // The runs of equal cells in a column.
 struct Runs {
-  std::vector<std::size_t> starts;  // rows
-  std::set<std::string_view> values;
-  std::size_t rows = 0, longs = 0;  // and how many runs are long enough for a shape
   std::string_view last;
+  std::size_t length = 0, count = 0, singles = 0, longs = 0;  // runs of one row, and of enough
+  std::set<std::string_view> values;
+  std::uint64_t begun = 0;  // the columns in which a run began wherever one began here, as bits
 
-  void end() { longs += !starts.empty() && rows - starts.back() >= shortest_run; }
-  void take(std::string_view cell) {
-    if (starts.empty() || cell != last) {
-      end();
-      starts.push_back(rows);
-      values.insert(last = cell);
-    }
-    ++rows;
+  void end() {
+    singles += length == 1;
+    longs += length >= shortest_run;
   }
-  bool separates() const { return longs >= 2 && longs == starts.size(); }
-  // Whether it names the parts of the other's runs; some may be single points.
+  // Returns whether a run begins.
+  bool take(std::string_view cell) {
+    if (length > 0 && cell == last) return ++length, false;
+    end();
+    last = cell;
+    length = 1;
+    if (++count <= max_shapes) values.insert(cell);
+    return true;
+  }
+  bool separates() const { return longs >= 2 && longs == count; }
+  // Whether it names the parts of the other's runs, or single points.
   bool separates_within(const Runs& other) const {
-    return longs >= 2 && values.size() == starts.size() && starts.size() > other.starts.size() &&
-           std::includes(starts.begin(), starts.end(), other.starts.begin(), other.starts.end());
+    return longs >= 2 && longs + singles == count && values.size() == count && count > other.count;
   }
 };
 
@@ -252,20 +255,25 @@ struct Runs {
 
 std::vector<std::size_t> columns_of_shapes(std::string_view rows, const CellStyle& style,
                                            const std::vector<std::size_t>& columns) {
-  std::vector<Runs> all(columns.size());
+  std::vector<Runs> all(std::min(columns.size(), most_columns));
+  for (Runs& runs : all) runs.begun = ~std::uint64_t{0};
   Lines lines(rows);
   for (auto line = lines.next(); line; line = lines.next()) {
     const Fields cells = split_cells(line->text, style.separator);
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      all[i].take(columns[i] < cells.size() ? cells[columns[i]] : "");
+    std::uint64_t begun = 0;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i].take(columns[i] < cells.size() ? cells[columns[i]] : ""))
+        begun |= std::uint64_t{1} << i;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if ((begun >> i & 1) != 0) all[i].begun &= begun;
   }
   for (Runs& runs : all) runs.end();
   std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < columns.size(); ++i)
+  for (std::size_t i = 0; i < all.size(); ++i)
     if (all[i].separates()) found.push_back(columns[i]);
-  for (std::size_t i = 0; i < columns.size(); ++i)
+  for (std::size_t i = 0; i < all.size(); ++i)
     if (std::any_of(all.begin(), all.end(), [&](const Runs& other) {
-          return other.separates() && all[i].separates_within(other);
+          return other.separates() && (other.begun >> i & 1) != 0 && all[i].separates_within(other);
         }))
       found.insert(found.begin(), columns[i]);
   return found;
@@ -753,7 +761,7 @@ class SupportTable {
 
 Result<SupportFile> read_support_file(std::string_view text) {
   if (text.size() > max_text_bytes)
-    return InputError{ErrorCode::text_too_long, "the text is longer than 64 MiB", {}};
+    return InputError{ErrorCode::text_too_long, "the text is longer than 64 MiB"};
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first != std::string_view::npos && (text[first] == '{' || text[first] == '[')) {

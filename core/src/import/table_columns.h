@@ -32,10 +32,11 @@ CellStyle style_of_table(std::string_view text);
 // Whether all cells of a column are words, or whole numbers from 0 to 9999. O(bytes).
 bool has_words_or_counts(std::string_view rows, const CellStyle& style, std::size_t column);
 
-// Returns those of `columns` that consist of two or more runs, each of at least three equal cells.
-// Columns that number or name the shapes have such runs. Columns of coordinates do not, since the
-// vertices of each run would be on one line. A column that names the parts of such a run counts, too,
-// if two of its names have three cells or more and each name has one run, and stands before the others. O(bytes log rows).
+// Returns those of `columns`, at most the first 64, that consist of two or more runs, each of at
+// least three equal cells. Columns that number or name the shapes have such runs. Columns of
+// coordinates do not, since the vertices of each run would be on one line. Before these stand the
+// columns that name the parts of such runs: each name has one run of three cells or more, or one
+// cell, and two names have three or more. O(bytes log rows).
 std::vector<std::size_t> columns_of_shapes(std::string_view rows, const CellStyle& style,
                                            const std::vector<std::size_t>& columns);
 

@@ -51,11 +51,10 @@ Result<Import> read_wkt_shapes(std::string_view text, const ImportOptions& optio
   if (auto error = reader.take_all(text)) return *std::move(error);
   add_notes(notes, reader, gathering);
   const std::string found = gathering.left_out.list();
-  return gathering.finish({ErrorCode::unsupported,
-                           found.empty()
-                               ? say("this {format} has no polygon", {"WKT"})
-                               : say("this {format} has no polygon, only {things}", {"WKT", found}),
-                           {}});
+  return gathering.finish(
+      {ErrorCode::unsupported,
+       found.empty() ? say("this {format} has no polygon", {"WKT"})
+                     : say("this {format} has no polygon, only {things}", {"WKT", found})});
 }
 
 // --- Tables
@@ -138,11 +137,10 @@ Result<Import> WktTable::read() {
   }
   add_notes(notes_, reader_, gathering_);
   const std::string found = gathering_.left_out.list();
-  return gathering_.finish({ErrorCode::unsupported,
-                            found.empty()
-                                ? "this table has no polygon"
-                                : say("this table has no polygon, only {things}", {found}),
-                            {}});
+  return gathering_.finish(
+      {ErrorCode::unsupported, found.empty()
+                                   ? "this table has no polygon"
+                                   : say("this table has no polygon, only {things}", {found})});
 }
 
 }  // namespace
@@ -264,7 +262,7 @@ Result<Import> PythonPoints::read() {
     return cursor_.expected(std::string("'") + levels_.back().closes + "'");
   if (!levels_.empty()) add_shape(std::move(levels_.back().points));
   gathering_.add_notes(notes_);
-  return gathering_.finish({ErrorCode::bad_syntax, "this list has no points (x, y)", {}});
+  return gathering_.finish({ErrorCode::bad_syntax, "this list has no points (x, y)"});
 }
 
 }  // namespace

@@ -130,9 +130,7 @@ std::optional<InputError> check_lesson(const Lesson& lesson, const Trace& trace)
 
 namespace {
 
-InputError task_error(std::string message) {
-  return {ErrorCode::bad_setting, std::move(message), {}};
-}
+InputError task_error(std::string message) { return {ErrorCode::bad_setting, std::move(message)}; }
 
 // A random weighted mean of the supports, each with at least a tenth of an equal share. `number` is
 // the seed.
@@ -308,14 +306,10 @@ Attempt check_task(const Task& task, const Exercise& exercise, const Document& d
 std::string movable_in_words(const Task& task) {
   static constexpr std::string_view words[] = {"the robots", "the teams", "the centre of mass",
                                                "the shape", "the cargo"};
-  std::string text;
-  for (std::size_t i = 0; i < task.may.size(); ++i) {
-    const std::string part(translated(words[static_cast<std::size_t>(task.may[i])]));
-    text = i == 0                    ? part
-           : i + 1 < task.may.size() ? text + ", " + part
-                                     : say("{first} and {last}", {text, part});
-  }
-  return say("Only {parts} may be changed.", {text});
+  std::vector<std::string> parts;
+  for (const auto part : task.may)
+    parts.emplace_back(translated(words[static_cast<std::size_t>(part)]));
+  return say("Only {parts} may be changed.", {listed(parts)});
 }
 
 }  // namespace evenlift

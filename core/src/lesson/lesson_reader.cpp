@@ -36,13 +36,6 @@ std::optional<Movable> movable_from_name(std::string_view text) {
   return std::nullopt;
 }
 
-// "title, polygon and teams". The words are the same in all languages.
-std::string listed(const std::vector<std::string>& words) {
-  std::string ends[] = {words.front(), words.back()};
-  for (std::size_t i = 1; i + 1 < words.size(); ++i) ends[0] += ", " + words[i];
-  return say_written("{first} and {last}", ends, 2);
-}
-
 std::string names_of_movable() {
   std::vector<std::string> names;
   for (const auto& movable : movables) names.emplace_back(movable.name);
@@ -57,7 +50,7 @@ class Reader {
 
   Result<Lesson> read() {
     if (text_.size() > max_lesson_bytes)
-      return InputError{ErrorCode::text_too_long, "a lesson has at most 65536 bytes", {}};
+      return InputError{ErrorCode::text_too_long, "a lesson has at most 65536 bytes"};
     if (text_.substr(0, 3) == "\xef\xbb\xbf") text_.remove_prefix(3);  // the byte-order mark
     while (!text_.empty() && !error_) {
       const std::size_t end = text_.find('\n');

@@ -154,8 +154,8 @@ std::optional<InputError> check_linkable(const Document& document) {
   std::size_t vertices = document.vertices.size();
   for (const Points& hole : document.holes) vertices += hole.size();
   if (vertices > max_link_vertices || document.holes.size() > max_holes) {
-    return InputError{
-        ErrorCode::too_many_vertices, "a link holds at most 32768 vertices and 1000 holes", {}};
+    return InputError{ErrorCode::too_many_vertices,
+                      "a link holds at most 32768 vertices and 1000 holes"};
   }
   for (std::size_t i = 0; i < document.vertices.size(); ++i) {
     if (auto error = check_point(document.vertices[i], {Place::Kind::vertex, i, i, {}}))
@@ -167,7 +167,7 @@ std::optional<InputError> check_linkable(const Document& document) {
     if (auto error = check_point(*document.centre_of_mass, place)) return error;
   }
   if (!is_moved(document.moved)) {
-    return InputError{ErrorCode::bad_setting, "robots moved by hand stand where robots cannot", {}};
+    return InputError{ErrorCode::bad_setting, "robots moved by hand stand where robots cannot"};
   }
   return check_linked_settings(document.settings, document.shown);
 }
@@ -239,7 +239,7 @@ Result<std::string> encode_link(const Document& document) {
   std::string link = std::to_string(static_cast<int>(version_for(document))) + '.';
   append_digits(link, encode_payload(document));
   if (link.size() > max_link_bytes) {  // no known document is this long
-    return InputError{ErrorCode::text_too_long, "the link would be longer than 1 MiB", {}};
+    return InputError{ErrorCode::text_too_long, "the link would be longer than 1 MiB"};
   }
   return link;
 }
@@ -353,7 +353,7 @@ std::size_t find_lesson_link(std::string_view text) {
 
 Result<std::string> encode_lesson_link(std::string_view lesson) {
   if (lesson.size() > max_lesson_bytes)
-    return InputError{ErrorCode::text_too_long, "a lesson has at most 65536 bytes", {}};
+    return InputError{ErrorCode::text_too_long, "a lesson has at most 65536 bytes"};
   Encoder encoder;
   code_integer(encoder, lesson.size(), length_bits);
   TextPredictor predictor = primed();

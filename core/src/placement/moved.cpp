@@ -21,7 +21,7 @@ namespace {
 
 // Moved robots are in a link or a saved result, not in a setting: the error has no place.
 InputError refused(const std::string& why) {
-  return {ErrorCode::bad_setting, say("robots moved by hand: {why}", {why}), {}};
+  return {ErrorCode::bad_setting, say("robots moved by hand: {why}", {why})};
 }
 
 InputError no_such_edge(std::size_t edge) {

@@ -175,10 +175,10 @@ InputError at_vertex(ErrorCode code, std::string message, std::size_t i) {
 
 std::optional<InputError> check_coordinates(const Points& vertices) {
   if (vertices.size() < 3) {
-    return InputError{ErrorCode::too_few_vertices, "a polygon needs at least 3 vertices", {}};
+    return InputError{ErrorCode::too_few_vertices, "a polygon needs at least 3 vertices"};
   }
   if (vertices.size() > max_vertices) {
-    return InputError{ErrorCode::too_many_vertices, "more than 1048576 vertices", {}};
+    return InputError{ErrorCode::too_many_vertices, "more than 1048576 vertices"};
   }
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Vec2& v = vertices[i];
@@ -227,8 +227,8 @@ Result<Polygon> Polygon::create(Points vertices) {
   const SortedIndices order = lexicographic_order(vertices);
   if (auto error = check_repetition(vertices, order)) return *error;
   if (all_on_one_line(vertices)) {
-    return InputError{
-        ErrorCode::no_area, "the polygon has no area: all its vertices are on one line", {}};
+    return InputError{ErrorCode::no_area,
+                      "the polygon has no area: all its vertices are on one line"};
   }
   const Rings ring{vertices, {vertices.size()}, {}};
   if (const auto crossing = sweep(ring, order).crossing) {
@@ -240,8 +240,7 @@ Result<Polygon> Polygon::create(Points vertices) {
   const Box box = bounding_box(vertices);
   if (box.diagonal() < min_diagonal) {
     return InputError{ErrorCode::object_too_small,
-                      "the object is too small: its bounding box's diagonal is below 1e-9",
-                      {}};
+                      "the object is too small: its bounding box's diagonal is below 1e-9"};
   }
   const auto tiny = std::find_if(vertices.begin(), vertices.end(),
                                  [](const Vec2& v) { return is_too_near_to_0(v); });
@@ -337,18 +336,17 @@ std::optional<InputError> check_inside(const RingSweep& swept) {
   for (std::size_t hole = 0; hole + 1 < swept.around.size(); ++hole) {
     const std::optional<std::size_t> around = swept.around[hole + 1];
     if (around == std::size_t{0}) continue;
-    return in_hole(hole, {ErrorCode::hole_outside,
-                          around ? say("the hole lies in hole {hole}", {*around})
-                                 : "the hole lies outside the polygon",
-                          {}});
+    return in_hole(hole,
+                   {ErrorCode::hole_outside, around ? say("the hole lies in hole {hole}", {*around})
+                                                    : "the hole lies outside the polygon"});
   }
   return std::nullopt;
 }
 
 std::optional<InputError> check_rings(const Rings& rings) {
   if (rings.vertices.size() > max_vertices)
-    return InputError{
-        ErrorCode::too_many_vertices, "more than 1048576 vertices together with the holes", {}};
+    return InputError{ErrorCode::too_many_vertices,
+                      "more than 1048576 vertices together with the holes"};
   const SortedIndices order = lexicographic_order(rings.vertices);
   if (auto error = check_apart(rings, order)) return error;
   const RingSweep swept = sweep(rings, order);
@@ -400,7 +398,7 @@ Result<PolygonWithHoles> PolygonWithHoles::create(Polygon outline,
   PolygonWithHoles object(std::move(outline));
   if (holes.empty()) return object;
   if (holes.size() > max_holes)
-    return InputError{ErrorCode::too_many_vertices, "more than 1000 holes", {}};
+    return InputError{ErrorCode::too_many_vertices, "more than 1000 holes"};
   for (std::size_t i = 0; i < holes.size(); ++i) {
     auto hole = Polygon::create(holes[i]);
     if (!hole) return in_hole(i, hole.error());

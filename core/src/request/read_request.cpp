@@ -239,8 +239,7 @@ Result<Document> Reader::shape_of(Index object, const ImportOptions& options,
   if (!chosen)
     return InputError{ErrorCode::unsupported,
                       say("{reason}; \"shape\" chooses one of them by its number or name",
-                          {chosen.error().message}),
-                      {}};
+                          {chosen.error().message})};
   notices.insert(notices.end(), read->notes.begin(), read->notes.end());
   return std::move(read->shapes[*chosen].document);
 }
@@ -496,8 +495,7 @@ Result<Request> Reader::read() {
 Result<RequestReader> RequestReader::read(std::string_view text, std::size_t most) {
   if (text.size() > most)
     return InputError{ErrorCode::text_too_long,
-                      "the request is longer than " + std::to_string(most >> 20) + " MiB",
-                      {}};
+                      "the request is longer than " + std::to_string(most >> 20) + " MiB"};
   Result<JsonTree> tree = JsonTree::read(text);
   if (!tree) {
     InputError error = tree.error();

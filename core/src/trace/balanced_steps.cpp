@@ -195,8 +195,7 @@ std::optional<InputError> trace_search(Trace& trace, HistoryLength length) {
     return InputError{
         ErrorCode::unsupported,
         "the search for this number of robots on this outline is too long to show step by step; "
-        "ask for fewer robots",
-        {}};
+        "ask for fewer robots"};
   if (length == HistoryLength::start && !is_quick_to_start(*trace.problem)) return std::nullopt;
   trace.history = balanced_history(*trace.problem, length);
   if (trace.history.found) {

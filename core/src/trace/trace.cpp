@@ -190,8 +190,7 @@ std::optional<InputError> check_steps(std::uint64_t steps) {
   return InputError{
       ErrorCode::unsupported,
       say("the algorithm takes at least {steps} steps here, more than the {most} that can be shown",
-          {std::to_string(steps), max_trace_steps}),
-      {}};
+          {std::to_string(steps), max_trace_steps})};
 }
 
 std::optional<InputError> collect_candidates(Trace& trace) {

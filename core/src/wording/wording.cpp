@@ -103,4 +103,11 @@ std::string say_written(std::string_view english, const std::string* values, std
   return said;
 }
 
+std::string listed(const std::vector<std::string>& items) {
+  if (items.size() < 2) return items.empty() ? std::string() : items[0];
+  std::string ends[] = {items.front(), items.back()};
+  for (std::size_t i = 1; i + 1 < items.size(); ++i) ends[0] += ", " + items[i];
+  return say_written("{first} and {last}", ends, 2);
+}
+
 }  // namespace evenlift

@@ -103,15 +103,6 @@ std::string by(Method method) {
   return {};
 }
 
-std::string listed(const std::vector<std::string>& items) {
-  std::string text;
-  for (std::size_t i = 0; i < items.size(); ++i)
-    text = i == 0                 ? items[i]
-           : i + 1 < items.size() ? text + ", " + items[i]
-                                  : say("{first} and {last}", {text, items[i]});
-  return text;
-}
-
 std::string spread_sentence(const Rows& rows, std::uint32_t most_robots) {
   if (most_robots == 0) return nothing;
   const std::uint32_t robots = std::min<std::uint32_t>(4, most_robots);

@@ -65,8 +65,6 @@ std::string in_kg(double value);
 std::string in_percent(double share);
 // Names the method in words: "by area", "at equal angles", "in balance".
 std::string by(Method method);
-// Joins the items: "1, 2 and 3". Empty if there are no items.
-std::string listed(const std::vector<std::string>& items);
 
 // --- Computes what chapter 5 of the thesis states about single polygons rather than averages.
 

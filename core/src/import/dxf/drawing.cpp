@@ -200,7 +200,7 @@ Result<DxfDrawing> DrawingReader::read() {
         ErrorCode::bad_syntax,
         "the DXF drawing is damaged: expected a group code here, which is a whole number", text_,
         groups_.code_offset());
-  return InputError{ErrorCode::bad_syntax, "the DXF drawing is cut off before its end (EOF)", {}};
+  return InputError{ErrorCode::bad_syntax, "the DXF drawing is cut off before its end (EOF)"};
 }
 
 void DrawingReader::begin_item(const DxfGroup& group) {

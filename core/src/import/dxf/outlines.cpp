@@ -208,9 +208,10 @@ DxfDrawn circle(DxfEntity& entity) {
 constexpr DxfName no_angle{"arc of no length", "arcs of no length"};
 
 // The angle counter-clockwise from one direction to another, in (0, whole], where `whole` is a full
-// turn; 0 if they are given by the same number, as programs leave arcs at corners. A little more than a full turn, because of rounding, counts as one.
+// turn. Because of rounding, a little more than a full turn counts as one, and a little less than no
+// angle as none: 0. Programs leave such arcs at corners.
 double angle_from_to(double from, double to, double whole, double near) {
-  if (from == to) return 0;
+  if (from >= to && from - to < near) return 0;
   const double angle = std::fmod(to - from, whole);
   if (angle <= 0) return angle + whole;
   return angle < near && std::fabs(to - from) > whole / 2 ? whole : angle;

@@ -1,6 +1,7 @@
 #include "import/joining/joining.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -33,7 +34,7 @@ class Sets {
   std::vector<std::size_t> parent_;
 };
 
-constexpr std::size_t no_chain = static_cast<std::size_t>(-1);
+constexpr std::size_t no_place = static_cast<std::size_t>(-1);
 
 // The pieces of one or more layers as a graph.
 class Drawing {
@@ -60,6 +61,7 @@ class Drawing {
   void take_atoms();
   void number_places();
   void find_closed_chains();
+  bool only_touches(std::size_t atom, std::size_t place, double near) const;
   void divide_lines(double near, const std::vector<std::size_t>& number);
   std::vector<std::size_t> line_ranks();
   std::vector<GraphEdge> edges();
@@ -77,7 +79,8 @@ class Drawing {
   Points places_;                       // distinct, by x, then y
   std::vector<std::vector<std::pair<double, std::size_t>>> divided_;  // by atom: `along`, `place`
   Sets sets_;
-  std::vector<std::size_t> closed_chain_;  // by place: that it is in, perhaps none
+  std::vector<std::size_t> closed_chain_;           // by place: that it is in, or no_place
+  std::vector<std::array<std::size_t, 2>> beside_;  // by place: the other ends of two lines there
   std::vector<Face> faces_;
   std::vector<GraphEdge> edges_;
   std::vector<std::pair<std::size_t, std::size_t>> bridges_;  // straight lines across wide gaps
@@ -129,27 +132,52 @@ void Drawing::number_places() {
     });
 }
 
-// The chains of lines and arcs that close without any other: two ends meet at each of their places.
+// The chains of lines and arcs that close without any other, perhaps across a gap that may be joined:
+// two ends meet at each of their places.
 void Drawing::find_closed_chains() {
-  Sets chains(places_.size());
-  std::vector<std::uint32_t> ends(places_.size());
+  const std::size_t count = places_.size();
+  Sets chains(count);
+  beside_.assign(count, {no_place, no_place});
+  std::vector<std::uint32_t> ends(count);
+  const auto take = [&](std::size_t at, std::size_t other, CurvePiece::Kind kind) {
+    if (ends[at] < 2 && kind == CurvePiece::Kind::line) beside_[at][ends[at]] = other;
+    ++ends[at];
+  };
   for (std::size_t a = 0; a < atoms_.size(); ++a) {
     const std::size_t from = sets_.of(from_[a]), to = sets_.of(to_[a]);
     chains.merge(from, to);
-    ++ends[from];
-    ++ends[to];
+    take(from, to, atoms_[a].curve.kind);
+    take(to, from, atoms_[a].curve.kind);
   }
-  std::vector<char> closes(places_.size(), 1);
-  for (std::size_t i = 0; i < places_.size(); ++i)
-    if (sets_.of(i) == i && ends[i] != 2) closes[chains.of(i)] = 0;
-  for (std::size_t i = 0; i < places_.size(); ++i) {
+  std::vector<char> closes(count, 1);
+  std::vector<std::vector<std::size_t>> open(count);  // ends, by chain
+  for (std::size_t i = 0; i < count; ++i) {
+    if (sets_.of(i) != i) continue;
+    if (ends[i] > 2) closes[chains.of(i)] = 0;
+    if (ends[i] == 1) open[chains.of(i)].push_back(i);
+  }
+  const double reach = std::end(join_reaches)[-1] * side_;
+  for (std::size_t i = 0; i < count; ++i) {
     const std::size_t chain = chains.of(sets_.of(i));
-    closed_chain_.push_back(closes[chain] != 0 ? chain : no_chain);
+    const std::vector<std::size_t>& gap = open[chain];
+    const bool is_closed =
+        gap.empty() || (gap.size() == 2 && length(places_[gap[0]] - places_[gap[1]]) <= reach);
+    closed_chain_.push_back(closes[chain] != 0 && is_closed ? chain : no_place);
   }
 }
 
-// Divides straight lines at the given places that are on them. A closed chain does not divide another:
-// where they also cross, neither would be found.
+// Whether the place, on a line, is the corner of another closed chain that has no line along this one.
+bool Drawing::only_touches(std::size_t atom, std::size_t place, double near) const {
+  const std::size_t chain = closed_chain_[from_[atom]], other = closed_chain_[place];
+  if (chain == no_place || other == no_place || chain == other) return false;
+  const Vec2 from = atoms_[atom].from, way = atoms_[atom].curve.end - from;
+  return std::none_of(beside_[place].begin(), beside_[place].end(), [&](std::size_t next) {
+    return next != no_place && std::abs(cross(way, places_[next] - from)) <= near * length(way);
+  });
+}
+
+// Divides straight lines at the given places that are on them. A closed chain does not divide another
+// that it only touches: where they also cross, neither would be found.
 void Drawing::divide_lines(double near, const std::vector<std::size_t>& number) {
   if (number.empty()) return;
   Points some;
@@ -167,11 +195,10 @@ void Drawing::divide_lines(double near, const std::vector<std::size_t>& number) 
       const double along = dot(apart, way) / square;
       if (!(along > 0 && along < 1)) return;
       if (length(apart - along * way) > near) return;
-      const std::size_t place = number[i], chain = closed_chain_[from_[a]];
-      if (chain != no_chain && closed_chain_[place] != no_chain && closed_chain_[place] != chain)
-        return;
+      const std::size_t place = number[i];
       for (const std::size_t end : {from_[a], to_[a]})
         if (sets_.of(end) == sets_.of(place)) return;
+      if (only_touches(a, sets_.of(place), near)) return;
       divided_[a].emplace_back(along, place);
     });
     std::sort(divided_[a].begin(), divided_[a].end());

@@ -15,7 +15,7 @@ constexpr double eccentricity_squared = flattening * (2 - flattening);
 
 double with_four_decimals(double value) { return std::floor(value * 10000 + 0.5) / 10000; }
 
-InputError refused(const char* why) { return {ErrorCode::bad_coordinate, why, {}}; }
+InputError refused(const char* why) { return {ErrorCode::bad_coordinate, why}; }
 
 }  // namespace
 

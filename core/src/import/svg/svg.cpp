@@ -116,8 +116,8 @@ std::string_view own_name(const pugi::xml_node& node) {
 
 // A title that a person gave a group says more than an id.
 std::string SvgReader::called(const pugi::xml_node& node, const Context& context) const {
-  return std::string(first_of({context.name_of_copy, label_of(node), title_of(node), context.title,
-                               value_of(node, "id"), context.layer}));
+  return clean_name(first_of({context.name_of_copy, label_of(node), title_of(node), context.title,
+                              value_of(node, "id"), context.layer}));
 }
 
 std::optional<std::optional<double>> SvgReader::length(const pugi::xml_node& node,
@@ -177,7 +177,7 @@ void SvgReader::add_open(const Outline& outline, const Context& context,
   if (outline.pieces.empty()) return;
   piece_points_ += outline.pieces.size();
   pieces_.push_back(
-      {placed(outline, context), std::string(context.layer), context.look.is_filled(), 0, called});
+      {placed(outline, context), clean_name(context.layer), context.look.is_filled(), 0, called});
 }
 
 void SvgReader::path(const pugi::xml_node& node, const Context& context,
@@ -310,27 +310,23 @@ constexpr std::size_t max_nodes = std::size_t{1} << 22;
 
 // The document of the first link in the <metadata> of evenlift's own pictures.
 std::optional<Document> document_of_metadata(const pugi::xml_node& svg) {
-  struct Finder final : pugi::xml_tree_walker {
-    std::optional<Document> found;
+  std::optional<Document> found;
+  const auto look = [&](std::string_view text) {
+    if (text.size() > max_link_bytes || !looks_like_link(text)) return;
+    Result<Document> document = decode_link(text);
+    if (document) found = std::move(document).value();
+  };
+  for (const pugi::xml_node metadata : svg.children()) {
+    if (local_name(metadata) != "metadata") continue;
     int left = 1000;  // metadata of other programs may be long
-    bool for_each(pugi::xml_node& node) override {
+    metadata.find_node([&](const pugi::xml_node& node) {
       if (node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata) look(node.value());
       for (const pugi::xml_attribute attribute : node.attributes()) look(attribute.value());
-      return !found && --left > 0;
-    }
-    void look(std::string_view text) {
-      if (text.size() > max_link_bytes || !looks_like_link(text)) return;
-      Result<Document> document = decode_link(text);
-      if (document) found = std::move(document).value();
-    }
-  };
-  for (pugi::xml_node node : svg.children()) {
-    if (local_name(node) != "metadata") continue;
-    Finder finder;
-    node.traverse(finder);
-    if (finder.found) return std::move(finder.found);
+      return found || --left == 0;
+    });
+    if (found) break;
   }
-  return std::nullopt;
+  return found;
 }
 
 }  // namespace
@@ -343,7 +339,7 @@ InputError SvgReader::error_at(const pugi::xml_node& node, ErrorCode code,
 
 void SvgReader::problem(const pugi::xml_node& node, const std::string& what) {
   // Only the first problem has a place: finding a line number reads all the text before it.
-  InputError error = has_problem_ ? InputError{ErrorCode::bad_syntax, what, {}}
+  InputError error = has_problem_ ? InputError{ErrorCode::bad_syntax, what}
                                   : error_at(node, ErrorCode::bad_syntax, what);
   has_problem_ = true;
   gathering_.add_problem(std::move(error));
@@ -354,19 +350,19 @@ Result<pugi::xml_node> SvgReader::load() {
   const auto nodes = static_cast<std::size_t>(
       std::count_if(text_.begin(), text_.end(), [](char c) { return c == '<' || c == '='; }));
   if (nodes > max_nodes)
-    return InputError{ErrorCode::unsupported, "the SVG has too many elements and attributes", {}};
+    return InputError{ErrorCode::unsupported, "the SVG has too many elements and attributes"};
   const pugi::xml_parse_result parsed =
       document_.load_buffer(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
   if (parsed.status == pugi::status_out_of_memory)
-    return InputError{ErrorCode::unsupported, "there is not enough memory for this SVG", {}};
+    return InputError{ErrorCode::unsupported, "there is not enough memory for this SVG"};
   if (!parsed && parsed.status != pugi::status_no_document_element)
     return text_error(ErrorCode::bad_syntax,
                       "the SVG is not well-formed XML: it may be cut off or altered", text_,
                       static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, parsed.offset)));
   const pugi::xml_node root = document_.document_element();
   if (!root)
-    return InputError{
-        ErrorCode::bad_syntax, "the SVG is not well-formed XML: it has no root element", {}};
+    return InputError{ErrorCode::bad_syntax,
+                      "the SVG is not well-formed XML: it has no root element"};
   for (pugi::xml_node next = root.next_sibling(); next; next = next.next_sibling())
     if (next.type() == pugi::node_element)
       return error_at(next, ErrorCode::bad_syntax,
@@ -374,29 +370,22 @@ Result<pugi::xml_node> SvgReader::load() {
   if (local_name(root) != "svg")
     return InputError{ErrorCode::unsupported,
                       say("this XML is not SVG: its root element is {element}",
-                          {"<" + clean_name(root.name()) + ">"}),
-                      {}};
+                          {"<" + clean_name(root.name()) + ">"})};
   return root;
 }
 
-std::optional<InputError> SvgReader::walk(const pugi::xml_node& root, const SvgPaper& paper) {
+void SvgReader::walk(const pugi::xml_node& root, const SvgPaper& paper) {
   Context whole;
   whole.matrix = {paper.across, 0, 0, -paper.down, 0, 0};  // in SVG y points down
   whole.viewport = paper.viewport;
   const SvgDeclared declared = styles_.of(root);
-  if (hides_all(declared)) {
-    hide(root, whole);
-    return std::nullopt;
-  }
+  if (hides_all(declared)) return hide(root, whole);
   whole.look = inherited(whole.look, declared);
-  if (std::optional<InputError> error = children(root, whole, 1)) return error;
+  children(root, whole, 1);
   if (copied_bytes_ > most_copied_bytes)
-    return InputError{
-        ErrorCode::unsupported, "the SVG's copies (<use>) have more than 64 MiB together", {}};
+    stop({ErrorCode::unsupported, "the SVG's copies (<use>) have more than 64 MiB together"});
   if (piece_points_ > max_vertices)
-    return InputError{
-        ErrorCode::too_many_vertices, "the shapes have more than 1048576 vertices together", {}};
-  return std::nullopt;
+    stop({ErrorCode::too_many_vertices, "the shapes have more than 1048576 vertices together"});
 }
 
 void SvgReader::start_again() {
@@ -409,19 +398,16 @@ void SvgReader::start_again() {
 }
 
 void SvgReader::say_what_is_unseen() {
-  std::string names;
-  for (std::size_t i = 0; i < hidden_names_.size(); ++i) {
-    const std::string name = hidden_names_[i].empty() ? "others" : in_quotes(hidden_names_[i]);
-    names = i == 0                         ? name
-            : i + 1 < hidden_names_.size() ? names + ", " + name
-                                           : say("{first} and {last}", {names, name});
-  }
+  std::vector<std::string> all;
+  for (const std::string& name : hidden_names_)
+    all.push_back(name.empty() ? say("others") : in_quotes(name));
+  const std::string names = listed(all);
   LeftOut& left_out = gathering_.left_out;
   const bool named = !names.empty();
   const std::string one = named ? say("hidden element ({names})", {names}) : "hidden element",
                     many = named ? say("hidden elements ({names})", {names}) : "hidden elements";
-  for (std::size_t i = 0; i < hidden_; ++i) left_out.add(one, many);
-  for (std::size_t i = 0; i < hairs_; ++i) left_out.add("loop of a hair", "loops of a hair");
+  left_out.add(one, many, hidden_);
+  left_out.add("loop of a hair", "loops of a hair", hairs_);
   if (cut_ > 0) {
     std::string note =
         say(cut_ == 1 ? "{count} shape is cut by a clip path or a mask, which is not applied"
@@ -438,8 +424,7 @@ void SvgReader::say_what_is_unseen() {
     gathering_.note(
         "nothing in the drawing has a fill or a stroke, so programs show none of its shapes");
   else
-    for (std::size_t i = 0; i < unpainted_; ++i)
-      left_out.add("shape without fill and stroke", "shapes without fill and stroke");
+    left_out.add("shape without fill and stroke", "shapes without fill and stroke", unpainted_);
 }
 
 InputError SvgReader::nothing_found() const {
@@ -448,7 +433,7 @@ InputError SvgReader::nothing_found() const {
                                       : say("this SVG has no closed shape, only {things}", {found});
   if (has_texts_)
     message += " " + say("(in Inkscape: Path, Object to Path turns texts into outlines)");
-  return {ErrorCode::unsupported, message, {}};
+  return {ErrorCode::unsupported, message};
 }
 
 Result<Import> SvgReader::read() {
@@ -462,17 +447,18 @@ Result<Import> SvgReader::read() {
     return gathering_.finish(nothing_found());
   }
   if (!styles_.read(root))
-    return InputError{
-        ErrorCode::unsupported, "the SVG's style sheets have more than 262144 declarations", {}};
+    return InputError{ErrorCode::unsupported,
+                      "the SVG's style sheets have more than 262144 declarations"};
   const SvgPaper paper =
       paper_of({value_of(root, "width"), value_of(root, "height"), value_of(root, "viewBox"),
                 value_of(root, "preserveAspectRatio")});
-  if (std::optional<InputError> error = walk(root, paper)) return *std::move(error);
-  if (gathering_.import.shapes.empty() && pieces_.empty() && unpainted_ > 0) {
+  walk(root, paper);
+  if (!error_ && gathering_.import.shapes.empty() && pieces_.empty() && unpainted_ > 0) {
     start_again();
     takes_unpainted_ = true;
-    if (std::optional<InputError> error = walk(root, paper)) return *std::move(error);
+    walk(root, paper);
   }
+  if (error_) return *std::move(error_);
   if (paper.viewport.width && paper.viewport.height)
     gathering_.paper = {paper.across * *paper.viewport.width, paper.down * *paper.viewport.height};
   gathering_.add_joined(pieces_, true);

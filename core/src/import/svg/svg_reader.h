@@ -314,24 +314,19 @@ class SvgReader {
     return std::get<0>(std::move(result));
   }
   Result<pugi::xml_node> load();
-  std::optional<InputError> walk(const pugi::xml_node& root, const SvgPaper& paper);
+  void walk(const pugi::xml_node& root, const SvgPaper& paper);
   void start_again();
   void say_what_is_unseen();
   InputError nothing_found() const;
 
   // svg_tree.cpp defines these functions, for elements, groups and copies.
-  std::optional<InputError> children(const pugi::xml_node& parent, const Context& context,
-                                     int depth);
-  std::optional<InputError> element(const pugi::xml_node& node, const Context& context, int depth);
-  std::optional<InputError> inside_of(const pugi::xml_node& node, std::string_view name,
-                                      Context& inside, int depth);
-  std::optional<InputError> chosen_child(const pugi::xml_node& node, const Context& context,
-                                         int depth);
-  std::optional<InputError> copy(const pugi::xml_node& node, Context& inside, int depth);
+  void children(const pugi::xml_node& parent, const Context& context, int depth);
+  void element(const pugi::xml_node& node, const Context& context, int depth);
+  void name_layer(const pugi::xml_node& node, Context& inside);
+  void copy(const pugi::xml_node& node, Context& inside, int depth);
   // Reads an element that has its own viewport. `sized` is the element whose width and height take
   // precedence: the <use> that copies `node`, or `node` itself.
-  std::optional<InputError> nested(const pugi::xml_node& node, const pugi::xml_node& sized,
-                                   Context& inside, int depth);
+  void nested(const pugi::xml_node& node, const pugi::xml_node& sized, Context& inside, int depth);
   bool enter(const pugi::xml_node& node, std::string_view name, Context& inside);
   bool transform(const pugi::xml_node& node, const SvgDeclared& declared, Context& inside);
   void take_cuts(const SvgDeclared& declared, Context& inside);
@@ -343,8 +338,11 @@ class SvgReader {
   bool has_room_to_copy(const pugi::xml_node& node);
   void index_ids();
   pugi::xml_node original_of(const pugi::xml_node& node);
-  InputError too_deep(const pugi::xml_node& node) const;
-  bool full() const { return gathering_.full() || piece_points_ > max_vertices; }
+  void too_deep(const pugi::xml_node& node);
+  void stop(InputError error) {
+    if (!error_) error_ = std::move(error);
+  }
+  bool full() const { return error_ || gathering_.full() || piece_points_ > max_vertices; }
 
   // svg_shapes.cpp defines these functions, for the drawn shapes.
   void shape(const pugi::xml_node& node, const Context& context, std::string_view name);
@@ -385,7 +383,8 @@ class SvgReader {
   std::size_t hidden_ = 0, unpainted_ = 0, hairs_ = 0, cut_ = 0;
   std::string first_cut_;  // its name
   std::vector<std::string> hidden_names_;
-  FilledPath filled_;  // the preceding shape, if it was such a path
+  std::optional<InputError> error_;  // ends the walk
+  FilledPath filled_;                // the preceding shape, if it was such a path
   bool takes_unpainted_ = false, has_problem_ = false, has_texts_ = false;
 };
 

@@ -68,13 +68,12 @@ class Expansion {
 
   std::optional<InputError> add(std::string_view text, int depth) {
     if (depth > deepest_entity)
-      return InputError{
-          ErrorCode::unsupported, "the SVG's entities contain each other more than eight deep", {}};
+      return InputError{ErrorCode::unsupported,
+                        "the SVG's entities contain each other more than eight deep"};
     // Also of entities that leave nothing behind.
     read_ += text.size() + 1;
     if (read_ > most_bytes)
-      return InputError{
-          ErrorCode::unsupported, "the SVG with its entities is longer than 64 MiB", {}};
+      return InputError{ErrorCode::unsupported, "the SVG with its entities is longer than 64 MiB"};
     for (std::size_t at = 0; at < text.size();) {
       const std::size_t mark = std::min(text.find('&', at), text.size());
       expanded_ += text.substr(at, mark - at);
@@ -162,8 +161,8 @@ std::optional<std::string_view> id_of_original(const pugi::xml_node& node) {
 
 }  // namespace
 
-InputError SvgReader::too_deep(const pugi::xml_node& node) const {
-  return error_at(node, ErrorCode::unsupported, "the SVG's elements are nested too deeply");
+void SvgReader::too_deep(const pugi::xml_node& node) {
+  stop(error_at(node, ErrorCode::unsupported, "the SVG's elements are nested too deeply"));
 }
 
 void SvgReader::hide(const pugi::xml_node& node, const Context& context) {
@@ -345,57 +344,37 @@ bool SvgReader::enter(const pugi::xml_node& node, std::string_view name, Context
   return takes_unpainted_;
 }
 
-std::optional<InputError> SvgReader::element(const pugi::xml_node& node, const Context& context,
-                                             int depth) {
+void SvgReader::element(const pugi::xml_node& node, const Context& context, int depth) {
   const std::string_view name = local_name(node);
-  if (unseen.has(name) || is_foreign(node)) return std::nullopt;
+  if (unseen.has(name) || is_foreign(node)) return;
   Context inside = context;
-  if (!enter(node, name, inside)) return std::nullopt;
-  if (drawn.has(name)) {
-    shape(node, inside, name);
-    return std::nullopt;
-  }
-  return inside_of(node, name, inside, depth);
-}
-
-std::optional<InputError> SvgReader::inside_of(const pugi::xml_node& node, std::string_view name,
-                                               Context& inside, int depth) {
+  if (!enter(node, name, inside)) return;
+  if (drawn.has(name)) return shape(node, inside, name);
   if (name == "use") return copy(node, inside, depth);
   if (name == "svg") return nested(node, node, inside, depth);
+  name_layer(node, inside);
+  if (const std::string_view title = title_of(node); name == "g" && !title.empty())
+    inside.title = title;
+  children(node, inside, depth + 1);
+}
+
+void SvgReader::name_layer(const pugi::xml_node& node, Context& inside) {
   if (!inside.name_of_copy.empty()) inside.layer = inside.name_of_copy;
   if (const std::string_view label = label_of(node); !label.empty()) inside.layer = label;
   inside.name_of_copy = {};
-  if (const std::string_view title = title_of(node); name == "g" && !title.empty())
-    inside.title = title;
-  if (name == "switch") return chosen_child(node, inside, depth + 1);
-  return children(node, inside, depth + 1);
 }
 
-std::optional<InputError> SvgReader::chosen_child(const pugi::xml_node& node,
-                                                  const Context& context, int depth) {
-  if (depth > max_nesting) return too_deep(node);
-  for (const pugi::xml_node child : node.children()) {
-    if (context.in_copy && !has_room_to_copy(child)) return std::nullopt;
-    if (child.type() != pugi::node_element || !may_be_chosen(child)) continue;
-    open_.push_back(node);
-    std::optional<InputError> error = element(child, context, depth);
-    open_.pop_back();
-    return error;
-  }
-  return std::nullopt;
-}
-
-std::optional<InputError> SvgReader::children(const pugi::xml_node& parent, const Context& context,
-                                              int depth) {
+void SvgReader::children(const pugi::xml_node& parent, const Context& context, int depth) {
   if (depth > max_nesting) return too_deep(parent);
+  const bool chooses = local_name(parent) == "switch";
   open_.push_back(parent);
-  std::optional<InputError> error;
   for (const pugi::xml_node node : parent.children()) {
-    if (full() || error || (context.in_copy && !has_room_to_copy(node))) break;
-    if (node.type() == pugi::node_element) error = element(node, context, depth);
+    if (full() || (context.in_copy && !has_room_to_copy(node))) break;
+    if (node.type() != pugi::node_element || (chooses && !may_be_chosen(node))) continue;
+    element(node, context, depth);
+    if (chooses) break;
   }
   open_.pop_back();
-  return error;
 }
 
 bool SvgReader::has_room_to_copy(const pugi::xml_node& node) {
@@ -430,56 +409,45 @@ pugi::xml_node SvgReader::node_of(std::string_view id) {
 }
 
 void SvgReader::index_ids() {
-  struct Finder final : pugi::xml_tree_walker {
-    std::vector<std::pair<std::string_view, pugi::xml_node>> found;
-    bool for_each(pugi::xml_node& node) override {
-      if (const std::string_view id = value_of(node, "id"); !id.empty())
-        found.emplace_back(id, node);
-      return true;
-    }
-  };
-  Finder finder;
-  document_.traverse(finder);
-  by_id_ = std::move(finder.found);
+  document_.find_node([&](const pugi::xml_node& node) {
+    if (const std::string_view id = value_of(node, "id"); !id.empty())
+      by_id_.emplace_back(id, node);
+    return false;
+  });
   // Of equal ids the first counts.
   std::stable_sort(by_id_.begin(), by_id_.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   has_ids_ = true;
 }
 
-std::optional<InputError> SvgReader::copy(const pugi::xml_node& node, Context& inside, int depth) {
+void SvgReader::copy(const pugi::xml_node& node, Context& inside, int depth) {
   if (depth > max_nesting) return too_deep(node);
   const pugi::xml_node original = original_of(node);
-  if (!original) return std::nullopt;
-  if (original == node || std::find(open_.begin(), open_.end(), original) != open_.end()) {
-    problem(node, "the SVG's copies (<use>) contain themselves");
-    return std::nullopt;
-  }
+  if (!original) return;
+  if (original == node || std::find(open_.begin(), open_.end(), original) != open_.end())
+    return problem(node, "the SVG's copies (<use>) contain themselves");
   const auto x = length(node, inside, "x"), y = length(node, inside, "y");
-  if (!x || !y) return std::nullopt;
-  if (!has_room_to_copy(original)) return std::nullopt;
+  if (!x || !y || !has_room_to_copy(original)) return;
   inside.matrix = inside.matrix * translation(x->value_or(0), y->value_or(0));
   inside.in_copy = true;
   if (const std::string_view name = own_name(node); !name.empty()) inside.name_of_copy = name;
   open_.push_back(node);
-  std::optional<InputError> error;
   const std::string_view name = local_name(original);
   if (name != "symbol" && name != "svg")
-    error = element(original, inside, depth + 1);
+    element(original, inside, depth + 1);
   else if (enter(original, name, inside))
-    error = nested(original, node, inside, depth + 1);
+    nested(original, node, inside, depth + 1);
   open_.pop_back();
-  return error;
 }
 
-std::optional<InputError> SvgReader::nested(const pugi::xml_node& node, const pugi::xml_node& sized,
-                                            Context& inside, int depth) {
+void SvgReader::nested(const pugi::xml_node& node, const pugi::xml_node& sized, Context& inside,
+                       int depth) {
   const auto side = [&](const char* attribute) {
     return length(value_of(sized, attribute).empty() ? node : sized, inside, attribute);
   };
   const auto x = length(node, inside, "x"), y = length(node, inside, "y"), width = side("width"),
              height = side("height");
-  if (!x || !y || !width || !height) return std::nullopt;
+  if (!x || !y || !width || !height) return;
   inside.matrix = inside.matrix * translation(x->value_or(0), y->value_or(0));
   const std::optional<SvgViewBox> box = svg_view_box(value_of(node, "viewBox"));
   // A missing side is that of the surrounding viewport.
@@ -488,18 +456,16 @@ std::optional<InputError> SvgReader::nested(const pugi::xml_node& node, const pu
   if (box && !size.width) size.width = box->size.x;
   if (box && !size.height) size.height = box->size.y;
   for (const auto& each : {size.width, size.height})
-    if (each && !(*each > 0)) return std::nullopt;  // not drawn, by the standard
-  if (box && !(box->size.x > 0 && box->size.y > 0)) return std::nullopt;
+    if (each && !(*each > 0)) return;  // not drawn, by the standard
+  if (box && !(box->size.x > 0 && box->size.y > 0)) return;
   inside.viewport = size;
   if (box) {
     inside.matrix = inside.matrix * fitted(*box, {*size.width, *size.height},
                                            value_of(node, "preserveAspectRatio"));
     inside.viewport = {box->size.x, box->size.y};
   }
-  if (!inside.name_of_copy.empty()) inside.layer = inside.name_of_copy;
-  if (const std::string_view label = label_of(node); !label.empty()) inside.layer = label;
-  inside.name_of_copy = {};
-  return children(node, inside, depth + 1);
+  name_layer(node, inside);
+  children(node, inside, depth + 1);
 }
 
 }  // namespace evenlift

@@ -83,18 +83,16 @@ std::string step_json(const Trace& trace, std::uint32_t k,
 
 std::optional<InputError> check_printed_size(const Trace& trace) {
   if (trace.size() > most_printed_steps)
-    return InputError{ErrorCode::unsupported,
-                      "the trace has " + digits(trace.size()) + " steps, more than the " +
-                          digits(most_printed_steps) + " that are printed",
-                      {}};
+    return InputError{ErrorCode::unsupported, "the trace has " + digits(trace.size()) +
+                                                  " steps, more than the " +
+                                                  digits(most_printed_steps) + " that are printed"};
   const std::uint64_t comparisons =
       std::uint64_t{trace.count(StepKind::scores)} * trace.placement.candidates.size();
   if (comparisons > most_printed_comparisons)
     return InputError{ErrorCode::unsupported,
                       "the trace compares " + digits(trace.placement.candidates.size()) +
                           " candidates for " + digits(trace.count(StepKind::scores)) +
-                          " teams, more than are printed; ask for fewer teams",
-                      {}};
+                          " teams, more than are printed; ask for fewer teams"};
   return std::nullopt;
 }
 
