@@ -18,7 +18,7 @@ root = pathlib.Path(__file__).resolve().parent.parent.parent
 # The words of the program (native) and of the experiments' report stay English.
 trees = ["wasm", "web", *(f"core/src/{folder}" for folder in (
     "balanced", "candidates", "chords", "document", "errors", "experiment/measure", "experiment/thesis", "formats", "generate", "import", "lesson", "link",
-    "numbers", "output/poses", "output/svg", "output/trace_words", "output/verdict", "output/words", "parts", "placement", "polygon", "stands", "supports", "swaps", "trace"))]  # fmt: skip
+    "numbers", "output/poses", "output/svg", "output/trace_words", "output/verdict", "output/words", "parts", "placement", "polygon", "stands", "supports", "swaps", "trace", "wording"))]  # fmt: skip
 literal = re.compile(
     r"""//[^\n]*|/\*.*?\*/|\#include[^\n]*|R"\((?P<raw>.*?)\)"|(?P<text>"(?:[^"\\\n]|\\.)*"(?:\s*(?:\+\s*)?"(?:[^"\\\n]|\\.)*")*)"""
     r"""|(?P<quoted>'(?:[^'\\\n]|\\.)*')|(?P<template>`(?:[^`\\]|\\.)*`)""",

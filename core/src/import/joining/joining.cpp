@@ -150,9 +150,11 @@ void Drawing::find_closed_chains() {
     take(to, from, atoms_[a].curve.kind);
   }
   std::vector<char> closes(count, 1);
+  std::vector<std::uint32_t> corners(count);          // by chain
   std::vector<std::vector<std::size_t>> open(count);  // ends, by chain
   for (std::size_t i = 0; i < count; ++i) {
     if (sets_.of(i) != i) continue;
+    ++corners[chains.of(i)];
     if (ends[i] > 2) closes[chains.of(i)] = 0;
     if (ends[i] == 1) open[chains.of(i)].push_back(i);
   }
@@ -160,8 +162,8 @@ void Drawing::find_closed_chains() {
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t chain = chains.of(sets_.of(i));
     const std::vector<std::size_t>& gap = open[chain];
-    const bool is_closed =
-        gap.empty() || (gap.size() == 2 && length(places_[gap[0]] - places_[gap[1]]) <= reach);
+    const bool is_closed = gap.empty() || (gap.size() == 2 && corners[chain] > 3 &&
+                                           length(places_[gap[0]] - places_[gap[1]]) <= reach);
     closed_chain_.push_back(closes[chain] != 0 && is_closed ? chain : no_place);
   }
 }
