@@ -323,6 +323,39 @@ TEST_CASE("numbers are as short left of zero as right of it", "[trace][words]") 
             .find("centroid, (−1483.4, −1622.2).") != std::string::npos);
 }
 
+TEST_CASE("one candidate that is left is no choice", "[trace]") {
+  Document document;
+  document.vertices = {{0, 0}, {9, 0}, {2, 7}};
+  document.settings.teams = 50;
+  const Trace trace = traced(placed(document));
+  const std::size_t candidates = trace.placement.candidates.size();
+  REQUIRE(trace.placement.teams.size() == candidates);
+  std::size_t choices = 0, alone = 0;
+  for (std::uint32_t k = 0; k < trace.size(); ++k) {
+    if (trace.step(k).kind != StepKind::scores) continue;
+    const bool is_last = trace.step(k).item + 1 == candidates;
+    CHECK(is_choice(trace, k) != is_last);
+    ++(is_last ? alone : choices);
+  }
+  CHECK(alone == 1);
+  CHECK(choices > 0);
+}
+
+TEST_CASE("of several chords through a place the shortest that reaches it is meant", "[trace]") {
+  // To the right of C the object ends at 2, and has another part from 4 to 6.
+  Document document;
+  document.vertices = {{-4, -2}, {2, -2}, {2, 1}, {4, 1}, {4, -2}, {6, -2}, {6, 2}, {-4, 2}};
+  document.centre_of_mass = Vec2(0, 0);
+  const Trace trace = traced(placed(document));
+  const std::pair<double, double> reached[] = {{1, 2}, {3, 4}, {5, 6}};
+  for (const auto& [at, end] : reached) {
+    const auto chord = chord_at(trace, {at, 0});
+    REQUIRE(chord);
+    CHECK(chord->r1.position.x == -4);
+    CHECK(chord->r2.position.x == end);
+  }
+}
+
 TEST_CASE("a choice is asked with the answer that the algorithm gives", "[trace]") {
   const Trace trace = traced(placed(corpus::polygon("thesis-sample-centroid")));
   int ends = 0, winners = 0;
