@@ -19,12 +19,11 @@ function(evenlift_precompile target)
 endfunction()
 
 # A large library is also compiled many files at a time, so the names in their unnamed namespaces must differ: eight
-# natively, where one changed file should not mean much to compile, and 48 for WebAssembly. A program is compiled eight
-# at a time everywhere.
+# natively, where one changed file should not mean much to compile, and 48 for WebAssembly.
 function(evenlift_compile_together)
   if(EVENLIFT_UNITY)
     set(files 8)
-    if(EMSCRIPTEN AND NOT ARGV0 STREQUAL evenlift)
+    if(EMSCRIPTEN)
       set(files 48)
     endif()
     set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${files})

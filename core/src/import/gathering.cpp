@@ -534,7 +534,7 @@ void Gathering::nest_outlines() {
              "{count} rectangles around all else were read as sheets, and come last");
   note_count(nesting.repeated, "{count} outline that repeats another was left out",
              "{count} outlines that repeat another were left out");
-  if (nesting.holes > 0 && options_.holes)
+  if (options_.holes)
     note_count(nesting.holes, "{count} outline inside another was read as a hole",
                "{count} outlines inside others were read as holes");
   import.doubtful =

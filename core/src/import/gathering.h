@@ -94,8 +94,6 @@ class Gathering final : public ShapeSink {
   bool full() const override { return full_.has_value(); }
   // If holes are left out later, there is in effect no limit.
   std::size_t most_holes() const override { return options_.holes ? max_holes : max_vertices; }
-  // Whether degrees are converted to metres after reading, so that they need no note.
-  bool projects() const { return options_.project; }
   // Adds the notes about rings; the import must already have all its shapes. O(vertices).
   void add_notes(const RingNotes& notes);
   // Adds the sentence to the notes, translated, unless there are already 20.

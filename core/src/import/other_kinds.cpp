@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
@@ -121,8 +120,8 @@ constexpr KindOfTable table_kinds[] = {
      "between shapes"},
 };
 
-}  // namespace
-
+// Of a table that lists other things than vertices; null for other texts. `beginning` may end within
+// a line.
 const char* refusal_of_other_table(std::string_view beginning) {
   const Table rows = rows_of(beginning);
   if (rows.empty()) return nullptr;
@@ -130,8 +129,6 @@ const char* refusal_of_other_table(std::string_view beginning) {
     if (kind.is_kind(rows)) return kind.refusal;
   return nullptr;
 }
-
-namespace {
 
 using std::string_view_literals::operator""sv;
 

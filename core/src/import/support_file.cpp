@@ -229,7 +229,8 @@ struct Runs {
   std::string_view last;
   std::size_t length = 0, count = 0, singles = 0, longs = 0;  // runs of one row, and of enough
   std::set<std::string_view> values;
-  std::uint64_t begun = 0;  // the columns in which a run began wherever one began here, as bits
+  // The columns in which a run began wherever one began here, as bits.
+  std::uint64_t begun = ~std::uint64_t{0};
 
   void end() {
     singles += length == 1;
@@ -256,7 +257,6 @@ struct Runs {
 std::vector<std::size_t> columns_of_shapes(std::string_view rows, const CellStyle& style,
                                            const std::vector<std::size_t>& columns) {
   std::vector<Runs> all(std::min(columns.size(), most_columns));
-  for (Runs& runs : all) runs.begun = ~std::uint64_t{0};
   Lines lines(rows);
   for (auto line = lines.next(); line; line = lines.next()) {
     const Fields cells = split_cells(line->text, style.separator);

@@ -1,6 +1,8 @@
 #include "import/wkt_shapes.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,8 +24,13 @@ void add_notes(const RingNotes& notes, const WktReader& reader, Gathering& gathe
     gathering.note(say("the reference system (SRID {number}) was left out", {reader.system()}));
 }
 
-}  // namespace
+// A cell's place in its line, without quotation marks: bytes `from` .. `to` - 1.
+struct GeometryCell {
+  std::size_t from = 0, to = 0;
+};
 
+// The first cell of WKT in the line; nullopt if there is no such cell. It ends at its closing
+// parenthesis, or at a quotation mark before any parenthesis, or at the end of the line. O(line).
 std::optional<GeometryCell> find_geometry(std::string_view line) {
   for (std::size_t at = 0; at < line.size(); ++at) {
     const bool cell_begins =
@@ -42,6 +49,8 @@ std::optional<GeometryCell> find_geometry(std::string_view line) {
   }
   return std::nullopt;
 }
+
+}  // namespace
 
 Result<Import> read_wkt_shapes(std::string_view text, const ImportOptions& options) {
   Gathering gathering(options);

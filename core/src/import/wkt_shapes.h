@@ -2,22 +2,11 @@
 // table. Other geometries, such as points, are left out.
 #pragma once
 
-#include <cstddef>
-#include <optional>
 #include <string_view>
 
 #include "evenlift/import.h"
 
 namespace evenlift {
-
-// A cell's place in its line, without quotation marks: bytes `from` .. `to` - 1.
-struct GeometryCell {
-  std::size_t from = 0, to = 0;
-};
-
-// The first cell of WKT in the line; nullopt if there is no such cell. It ends at its closing
-// parenthesis, or at a quotation mark before any parenthesis, or at the end of the line. O(line).
-std::optional<GeometryCell> find_geometry(std::string_view line);
 
 // Reads a text of one or more geometries, each perhaps followed by ';'.
 Result<Import> read_wkt_shapes(std::string_view text, const ImportOptions& options);
