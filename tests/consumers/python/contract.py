@@ -107,6 +107,7 @@ def check_placements(samples):
         ),
         (l_shape, {"cargo": '3,0.5:20:"a motor" 0.2,2:5', "teams": 2}),
         (l_shape, {"supports": "0,0 0,3", "failures": True, "robot": "r=100", "even_out": False}),
+        (l_shape, {"supports": [(0, 0), (4, 0), (0, 3)], "support_names": ["north", "", "south west"]}),
         (l_shape, {"supports": "0,0 9,9 0,3", "keep_misfits": True, "holes": [[(3, 0), (4, 0), (4, 1)]]}),
         ([*l_shape, l_shape[0]], {}),  # a notice
         (texts["square"], {"supports": [(0, 0), (1000, 0), (900, 1000), (0, 1000)], "even_out": True}),
