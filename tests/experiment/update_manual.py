@@ -44,7 +44,6 @@ def replace_table(file, table):
 
 with measured() as made:
     manual = ROOT / "docs" / "experiments.md"
-    replace_table(manual, (made / "thesis.md").read_text(encoding="utf-8"))
-    for table in (made / "robots.md").read_text(encoding="utf-8").split("\n\n"):
-        replace_table(manual, table.rstrip("\n") + "\n")
+    for table in results.manual_tables(made):
+        replace_table(manual, table)
     print("README.md: loads differ by %s at random and by %s in pairs" % tuple(results.readme_spreads(made)))

@@ -92,6 +92,14 @@ Outcome run(const Folder& folder, const std::string& line) {
 
 const std::string square = "(0,0)\n(4,0)\n(4,4)\n(0,4)\n";
 
+// A text without what differs from document to document.
+std::string without_numbers(const std::string& text) {
+  std::string rest;
+  for (const char c : text)
+    if (std::string_view("0123456789.- ").find(c) == std::string_view::npos) rest += c;
+  return rest;
+}
+
 }  // namespace
 
 TEST_CASE("bad usage and bad input get one clear line, and nothing else", "[cli][thorough]") {
@@ -111,6 +119,36 @@ TEST_CASE("bad usage and bad input get one clear line, and nothing else", "[cli]
     CHECK(std::to_string(outcome.status) + " " + outcome.errors == c.expected + "\n");
     CHECK(outcome.output.empty());
   }
+}
+
+TEST_CASE("each sentence of the program says what it said", "[cli][expected]") {
+  const fs::path path = fs::path(EVENLIFT_TESTS_DIR) / "cli" / "sentences.txt";
+  const std::string expected = corpus::read_file(path);
+  const Folder folder("sentences");
+  fs::create_directory_symlink(corpus::polygons_folder(), folder.path() / "polygons");
+  std::set<std::string> known;
+  std::string said;
+  std::istringstream lines(expected);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line[0] == '#') said += line + "\n";
+    if (!line.starts_with("$ ")) continue;
+    said += line + "\n";
+    const Outcome outcome = run(folder, line.substr(2));
+    INFO(line);
+    CHECK(outcome.status == 0);
+    std::istringstream output(outcome.output + outcome.errors);
+    for (std::string text; std::getline(output, text);)
+      for (std::size_t at = 0, next = 0; at < text.size(); at = next) {
+        const std::size_t end = text.find(". ", at);
+        next = end == std::string::npos ? text.size() : end + 2;
+        const std::string sentence = text.substr(at, end == std::string::npos ? end : end + 1 - at);
+        if (const std::string kind = without_numbers(sentence);
+            !kind.empty() && known.insert(kind).second)
+          said += "    " + sentence + "\n";
+      }
+  }
+  if (std::getenv("EVENLIFT_UPDATE_EXPECTED") != nullptr) corpus::write_file(path, said);
+  CHECK(said == expected);
 }
 
 TEST_CASE("the program answers in all its ways", "[cli][slow]") {
