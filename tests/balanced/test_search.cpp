@@ -179,6 +179,20 @@ TEST_CASE("each swap makes the set better, and says what moved", "[balanced][slo
   }
 }
 
+TEST_CASE("a search that begins again counts its rounds anew", "[balanced]") {
+  for (const char* name : {"arrow", "bracket", "convex-5"}) {
+    INFO(name);
+    Settings settings = settings_of(5);
+    settings.robot.radius = 50;
+    const Task task = task_of(corpus::polygon(name), 5);
+    const BalancedProblem problem(solid(task.polygon), task.centre, settings);
+    BalancedSearch search = *start_balanced(problem);
+    while (!search.restarted) search = try_next_triple(problem, search).search;
+    REQUIRE_FALSE(search.finished);
+    CHECK(search.round == 0);
+  }
+}
+
 TEST_CASE("the keys of a set are what the rest of the core says of it", "[balanced][slow]") {
   for (const std::string& name : corpus::polygon_names()) {
     INFO(name);

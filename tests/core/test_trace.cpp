@@ -523,6 +523,27 @@ TEST_CASE("the answer for a candidate that lost names what was compared", "[trac
   CHECK(seen.count(Rule::score) == 1);
 }
 
+TEST_CASE("who lost a tie by its length is told both lengths, the greater first",
+          "[trace][words]") {
+  Document document = corpus::polygon("worktop");
+  document.settings.cargo = {{{300, 200}, 30, ""}};
+  const Trace trace = traced(placed(document, Method::area, max_teams));
+  std::size_t ties = 0;
+  for (std::uint32_t k = 0; k < trace.size(); ++k) {
+    if (look_at(trace, k).step.kind != StepKind::scores) continue;
+    for (std::uint32_t c = 0; c < trace.placement.candidates.size(); ++c) {
+      const WhyNot answer = why_not(trace, k, c);
+      if (answer.why != Why::behind || answer.decided_by != DecidedBy::length) continue;
+      ++ties;
+      const std::string text = why_not_text(trace, answer);
+      INFO(text);
+      CHECK(std::stod(text.substr(text.find("is longer, ") + 11)) >
+            std::stod(text.substr(text.find(" against ") + 9)));
+    }
+  }
+  CHECK(ties > 0);
+}
+
 TEST_CASE("why a team stands here is said without the algorithm's own words", "[trace][words]") {
   const auto why = [](const char* name, Method method, std::uint32_t team, LengthUnit unit) {
     Document document = corpus::polygon(name);

@@ -134,8 +134,7 @@ TEST_CASE("each sentence of the program says what it said", "[cli][expected]") {
     if (!line.starts_with("$ ")) continue;
     said += line + "\n";
     const Outcome outcome = run(folder, line.substr(2));
-    INFO(line);
-    CHECK(outcome.status == 0);
+    if (outcome.status != 0) said += "    [status " + std::to_string(outcome.status) + "]\n";
     std::istringstream output(outcome.output + outcome.errors);
     for (std::string text; std::getline(output, text);)
       for (std::size_t at = 0, next = 0; at < text.size(); at = next) {

@@ -104,6 +104,23 @@ TEST_CASE("a team that is moved stays even, on the outline and through C", "[mov
   CHECK(passed > 50);  // vertices
 }
 
+TEST_CASE("a second team that is moved leaves the first where it was moved to", "[moved]") {
+  Placement placement = placed(in_ranges("guitar"));
+  const auto turn = [&](std::size_t robot) {
+    const auto [team, end] = find_robot(placement.teams, robot);
+    const Vec2 at = placement.teams[team].robots[end].point.position, c = placement.centre_of_mass;
+    const auto moved = moved_along_range(placement, robot, at + 0.05 * left_normal(at - c));
+    REQUIRE(moved);
+    placement = moved_to(placement, *moved);
+  };
+  turn(2);
+  const Team second = placement.teams[1];
+  turn(0);
+  CHECK(placement.moved.teams.size() == 2);
+  for (const std::size_t end : {0u, 1u})
+    CHECK(placement.teams[1].robots[end].point.position == second.robots[end].point.position);
+}
+
 TEST_CASE("a team on a vertex goes along either edge", "[moved]") {
   Document document;
   document.vertices = {{0, 0}, {400, 0}, {400, 200}, {0, 200}};

@@ -418,6 +418,13 @@ TEST_CASE("supports are evened out by the least moves", "[supports]") {
   Document area = document;
   area.settings.method = Method::area;
   CHECK(with_even_supports(area).error().place.option == "even_out");
+  // Those that are left out stay where they are.
+  const Document misfit = standing_on({{3, 3}, {0, 0}, {0.9, 0}, {1, 0.9}, {0, 1}});
+  const auto kept = with_even_supports(misfit, Misfitting::left_out);
+  REQUIRE(kept.ok());
+  CHECK(kept->settings.supports[0] == Vec2(3, 3));
+  CHECK(Points(kept->settings.supports.begin() + 1, kept->settings.supports.end()) ==
+        even->settings.supports);
 }
 
 TEST_CASE("a support that is moved to even out the loads collides with no other", "[supports]") {

@@ -554,6 +554,9 @@ TEST_CASE("DXF: what has no outline is refused with the reason", "[import][dxf]"
   CHECK(
       refusal(dxf("0\nLINE\n10\n0\n20\n0\n11\n5\n21\n0\n")) ==
       "this DXF drawing has no closed outline: the nearest open ends, (0, 0) and (5, 0), are 5 apart");
+  CHECK(
+      refusal(dxf("0\nLINE\n10\n0\n20\n0\n11\n5\n21\n0\n0\nLINE\n10\n9\n20\n0\n11\n7\n21\n1\n")) ==
+      "this DXF drawing has no closed outline: the nearest open ends, (5, 0) and (7, 1), are 2.236 apart");
   CHECK(refusal(dxf("0\nINSERT\n2\nbolt\n")) ==
         "this DXF drawing has no closed outline, only 1 block (INSERT) that the drawing does not "
         "define");

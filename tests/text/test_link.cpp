@@ -244,6 +244,17 @@ TEST_CASE("balanced robots and their settings read back in every bit", "[link]")
   }
 }
 
+TEST_CASE("each overlay alone reads back", "[link]") {
+  for (bool Overlays::*overlay :
+       {&Overlays::candidates, &Overlays::chords, &Overlays::lifting_base, &Overlays::clockwise,
+        &Overlays::counterclockwise, &Overlays::tipping, &Overlays::halo, &Overlays::tilt,
+        &Overlays::load}) {
+    Document document = thesis_sample();
+    document.shown.overlays.*overlay = !(document.shown.overlays.*overlay);
+    CHECK(decode(encode(document)).shown.overlays == document.shown.overlays);
+  }
+}
+
 TEST_CASE("units read back, and the usual ones take no character", "[link]") {
   Document document = thesis_sample();
   const std::string usual = encode(document);

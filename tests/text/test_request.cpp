@@ -403,6 +403,15 @@ TEST_CASE("parts are all shapes of a file, each with robots of its own", "[reque
   CHECK(bow["error"]["code"] == "edges_cross");
   CHECK(all["csv"].text().starts_with("shape,name,x,y,"));
 
+  SECTION("but not a sheet around them") {
+    const std::string sheet =
+        "<svg fill='none' stroke='black'><path d='M0 0H90V60H0Z'/><path d='M5 5h20v10h-20z'/>"
+        "<path d='M7 7h4v4h-4z'/><path d='M40 5h20v10h-20z'/><path d='M42 7h4v4h-4z'/></svg>";
+    const Json plates = answer_json(R"({"command": "parts", "text": ")" + sheet + "\"}");
+    REQUIRE(plates["parts"].size() == 2);
+    CHECK(plates["parts"][0]["area"] == 184);
+  }
+
   SECTION("with names that are unique") {
     const Json named = answer_json(
         R"({"command": "parts", "text": "a\n0,0\n4,0\n4,3\n\na\n10,0\n14,0\n14,3\n\na (1)\n20,0\n24,0\n24,3\n"})");

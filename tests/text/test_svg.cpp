@@ -255,6 +255,21 @@ TEST_CASE("holes are empty in a picture: one path with the even-odd rule", "[svg
   CHECK(occurrences(placement_svg(placed(document)), "evenodd") == 0);
 }
 
+TEST_CASE("a lifting base of three corners is filled, one of two is a broad line", "[svg]") {
+  const auto base = [](const Points& supports) {
+    Document document = plate_with_cargo();
+    document.settings.method = Method::given;
+    document.settings.supports = supports;
+    const std::string svg = placement_svg(placed(document));
+    check_picture(svg);
+    const std::size_t at = svg.find("class=\"hull\"");
+    REQUIRE(at != std::string::npos);
+    return svg.substr(at, svg.find('>', at) - at);
+  };
+  CHECK(occurrences(base({{0, 0}, {10, 0}, {9, 10}}), "fill-opacity") == 1);
+  CHECK(occurrences(base({{0, 0}, {10, 10}}), "fill-opacity") == 0);
+}
+
 TEST_CASE("a picture shows cargo as discs whose area tells its weight", "[svg][cargo]") {
   const Placement placement = placed(plate_with_cargo());
   const std::string svg = placement_svg(placement);
