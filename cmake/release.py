@@ -44,9 +44,11 @@ def version_of_project():
     return re.search(r"^project\(evenlift VERSION (\d+\.\d+\.\d+)", (root / "CMakeLists.txt").read_text(), re.MULTILINE)[1]
 
 
-def check_changelog(version):
+def check_papers(version):
     if not re.search(rf"^## {re.escape(version)}\b", (root / "CHANGELOG.md").read_text(), re.MULTILINE):
         sys.exit(f"release.py: CHANGELOG.md has no section for {version}")
+    if f"\nversion: {version}\n" not in (root / "CITATION.cff").read_text():
+        sys.exit(f"release.py: CITATION.cff has another version than {version}")
 
 
 def commit_time():
@@ -153,7 +155,7 @@ def main():
     parser.add_argument("--library", type=Path, default=root / "build/native/c/libevenlift.so")
     given = parser.parse_args()
     version, when = version_of_project(), commit_time()
-    check_changelog(version)
+    check_papers(version)
     name = f"evenlift-{version}"
     shutil.rmtree(given.out, ignore_errors=True)
     given.out.mkdir(parents=True)

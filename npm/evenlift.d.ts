@@ -123,7 +123,7 @@ export interface Support {
   at: Point;
   /** What this support can carry. */
   capacity?: number | null;
-  /** Left out, with a notice. */
+  /** At most 60 characters. */
   name?: string;
 }
 

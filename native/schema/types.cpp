@@ -9,7 +9,7 @@ namespace {
 
 constexpr TypeMember support[] = {{"at", "Point", ""},
                                   {"capacity?", "number | null", "what this support can carry"},
-                                  {"name?", "string", "left out, with a notice"}};
+                                  {"name?", "string", "at most 60 characters"}};
 constexpr TypeMember cargo[] = {{"at", "Point", "its centre of mass, which may overhang"},
                                 {"weight", "number", "1e-100 to 1e100"},
                                 {"name?", "string", "at most 60 characters"}};

@@ -61,7 +61,7 @@ def check_wrong_version(prefix, source, folder):
         asking = folder / f"asks-for-{wanted}"
         shutil.copytree(source, asking)
         text = (asking / "CMakeLists.txt").read_text()
-        (asking / "CMakeLists.txt").write_text(text.replace("find_package(evenlift 1.0", f"find_package(evenlift {wanted}"))
+        (asking / "CMakeLists.txt").write_text(text.replace("find_package(evenlift 2.0", f"find_package(evenlift {wanted}"))
         configure(prefix, asking, asking / "build", status=1)
 
 

@@ -62,29 +62,27 @@ def few_robots(folder, of):
 
 
 # The rows of thesis.md that docs/experiments.md gives: where the thesis states a number, and what its conclusions rest on.
+SMALL, ITS_TEST = ", polygons with at most 12 vertices", ", by the thesis’s test that no region has an area"
 MANUAL_CLAIMS = [
-    *(f"Spread of loads with {robots} robots, {method}" for robots, method in [(4, "area"), (4, "distance"), (4, "distributed"), (30, "area"), (30, "random")]),
+    *(f"Spread of loads with {robots} robots, {method}" for robots, method in [(4, "distance"), (4, "distributed"), (30, "area"), (30, "random")]),
     *(f"Shares of the team’s load with 10 teams, {method}" for method in ("area", "distributed")),
-    *(f"Fewest robots with a greatest load of at most 5 kg of 100 kg, averaged over the polygons, {method}" for method in ("area", "distributed", "random")),
+    *(f"Fewest robots with a greatest load of at most 5 kg of 100 kg, averaged over the polygons, {method}" for method in ("area", "distributed")),
     *(f"Spread of loads of {method} in multiples of the algorithm’s, {where}"
-      for where in ("over the numbers of robots shown", "with 4 robots") for method in ("distributed", "random")),
-    *(f"{what}{which}" for which in ("", ", polygons with at most 12 vertices")
-      for what in (f"{'All three metrics choose the' if not which else 'The'} same second team", "The same third team, where the second is the same")),
-    "Where the second team differs, the coverages differ by less than 10 % of the object",
-    *(f"Coverage by the algorithm: {how}" for how in ("mean of figure 5.7 from 4 robots on", "with 36 robots", "mean over all its measurements from 4 robots on",
-                                                      "with the greatest number of teams")),
+      for method in ("distributed", "random") for where in ("over the numbers of robots shown", "with 4 robots")),
+    "All three metrics choose the same second team",
+    f"The same second team{SMALL}",
+    *(f"The same third team, where the second is the same{which}" for which in ("", SMALL)),
+    *(f"Coverage by the algorithm: {how}" for how in ("with 36 robots", "mean over all its measurements from 4 robots on")),
     "Coverage of distributed less coverage of the algorithm, mean over a polygon’s numbers of teams",
     "Coverage of the algorithm less coverage of random, mean over a polygon’s numbers of teams",
     "Coverage with 12 robots before and after the centre of mass is moved, worst case (figure 5.9)",
-    *(f"{what}{how}" for how in ("", ", by the thesis’s test that no region has an area")
-      for what in ("Polygons that no method brings into form closure", "In form closure with 4 robots, distributed", "In form closure with 8 robots, distance",
-                   "In form closure with 8 robots, distance, polygons with at most 12 vertices",
-                   "Polygons in form closure by the algorithm, of those in form closure by any method")),
-    "Numbers of robots up to 12 with which distributed has the most polygons in form closure",
-    *(f"Form closure lost by adding a team, {method}" for method in ("area", "distributed")),
+    *(f"{what}{ITS_TEST}" for what in (
+        "Polygons that no method brings into form closure", "In form closure with 4 robots, distributed", "In form closure with 8 robots, distance",
+        f"In form closure with 8 robots, distance{SMALL}", "Form closure lost by adding a team, distributed",
+        "Polygons in form closure by the algorithm, of those in form closure by any method")),
 ]
-MANUAL_ROBOTS = [4, 6, 8, 12]  # for all methods
-MANUAL_ODD = [3, 5, 7, 9, 11]  # for balanced robots, in a table of their own
+MANUAL_ROBOTS = {3: ["balanced"], 5: ["balanced"], 7: ["balanced"], 12: ["balanced"],
+                 **dict.fromkeys((4, 6, 8), ["area", "distributed", "random", "balanced"])}  # fmt: skip
 
 
 def written(rows):
@@ -94,17 +92,17 @@ def written(rows):
 
 def manual_tables(folder):
     """The tables of docs/experiments.md: rows of thesis.md and robots.md."""
-    head, _, *lines = (pathlib.Path(folder) / "thesis.md").read_text(encoding="utf-8").splitlines()
-    rows = {line.split(" | ")[1]: line for line in lines}
-    tables = ["".join(f"{line}\n" for line in [head, "|" + " --- |" * head.count(" | ") + " --- |", *(rows[what] for what in MANUAL_CLAIMS)])]
+    head, _, *lines = [line.strip("| ").split(" | ") for line in (pathlib.Path(folder) / "thesis.md").read_text(encoding="utf-8").splitlines()]
+    rows = {row[1]: row for row in lines}
+    claimed = [rows[what] for what in MANUAL_CLAIMS]
+    tables = [written([head, *([section, what.replace(ITS_TEST, ", by its test"), *values] for section, what, *values in claimed)])]
     measures = ["coverage, %", "in form closure, %", "held with clearance, %", "spread of loads, kg of 100 kg", "number of polygons"]
-    odd = [["balanced robots", *map(str, MANUAL_ODD)]]
-    for of in head.strip("| ").split(" | ")[3:]:
+    for of in head[3:]:
         cells = few_robots(folder, of)
-        tables.append(written([[of, "robots", *METHODS],
-                               *([what, str(robots), *(cells[what, robots, method] for method in METHODS)] for what in measures for robots in MANUAL_ROBOTS)]))
-        odd += [[f"{of}: {what}", *(cells[what, robots, "balanced"] for robots in MANUAL_ODD)] for what in measures[:3]]
-    return [*tables, written(odd)]
+        tables.append(written([[f"{of}: robots", "method", *measures],
+                               *([str(robots), method, *(cells[what, robots, method] for what in measures)]
+                                 for robots, methods in sorted(MANUAL_ROBOTS.items()) for method in methods)]))
+    return tables
 
 
 def readme_spreads(folder):

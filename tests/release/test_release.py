@@ -30,7 +30,7 @@ def git(folder, *args):
 def sources(folder):
     """The parts of the sources that a release reads, committed."""
     folder.mkdir(parents=True)
-    for name in ("CMakeLists.txt", "CHANGELOG.md", "LICENSE", "README.md", "cmake/release.py", "docs/cli.md"):
+    for name in ("CMakeLists.txt", "CHANGELOG.md", "CITATION.cff", "LICENSE", "README.md", "cmake/release.py", "docs/cli.md"):
         (folder / name).parent.mkdir(exist_ok=True)
         shutil.copy(root / name, folder / name)
     shutil.copytree(root / "python", folder / "python", ignore=shutil.ignore_patterns("__pycache__", "*.so", "*.egg-info"))

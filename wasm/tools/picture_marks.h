@@ -1,5 +1,5 @@
 // The marks of the first picture that explain themselves: where the pointer or a finger rests, or one
-// after another by a key. canvas/explained.cpp knows where each is.
+// after another by a key. marks/explained.cpp knows where each is.
 #pragma once
 
 #include <optional>

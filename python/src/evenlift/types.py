@@ -164,7 +164,7 @@ class Support(_Support, total=False):
     capacity: Optional[float]
     """What this support can carry."""
     name: str
-    """Left out, with a notice."""
+    """At most 60 characters."""
 
 
 class _Cargo(TypedDict):

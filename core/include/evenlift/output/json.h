@@ -46,7 +46,7 @@ std::string document_json(const Document& document);
 // Returns {"code", "message", "place", "path"} on one line (docs/requests.md). O(1).
 std::string error_json(const InputError& error);
 
-// The version of evenlift, such as "1.0.1".
+// The version of evenlift, such as "2.0.0".
 std::string_view version();
 
 }  // namespace evenlift
