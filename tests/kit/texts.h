@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,14 @@ inline std::string plainly(std::string text) {
   for (std::size_t at = 0; (at = text.find("\u00A0", at)) != std::string::npos;)
     text.replace(at, std::string("\u00A0").size(), " ");
   return text;
+}
+
+// Texts that differ only in what remains here say different things.
+inline std::string without_numbers(const std::string& text) {
+  std::string rest;
+  for (const char c : text)
+    if (std::string_view("0123456789.- ").find(c) == std::string_view::npos) rest += c;
+  return rest;
 }
 
 }  // namespace evenlift::testing

@@ -12,6 +12,7 @@
 
 #include "evenlift/output/json_text.h"
 #include "kit/corpus.h"
+#include "kit/texts.h"
 
 using namespace evenlift;
 
@@ -92,14 +93,6 @@ Outcome run(const Folder& folder, const std::string& line) {
 
 const std::string square = "(0,0)\n(4,0)\n(4,4)\n(0,4)\n";
 
-// A text without what differs from document to document.
-std::string without_numbers(const std::string& text) {
-  std::string rest;
-  for (const char c : text)
-    if (std::string_view("0123456789.- ").find(c) == std::string_view::npos) rest += c;
-  return rest;
-}
-
 }  // namespace
 
 TEST_CASE("bad usage and bad input get one clear line, and nothing else", "[cli][thorough]") {
@@ -141,7 +134,7 @@ TEST_CASE("each sentence of the program says what it said", "[cli][expected]") {
         const std::size_t end = text.find(". ", at);
         next = end == std::string::npos ? text.size() : end + 2;
         const std::string sentence = text.substr(at, end == std::string::npos ? end : end + 1 - at);
-        if (const std::string kind = without_numbers(sentence);
+        if (const std::string kind = testing::without_numbers(sentence);
             !kind.empty() && known.insert(kind).second)
           said += "    " + sentence + "\n";
       }

@@ -1,0 +1,173 @@
+// What the page writes, as a golden file.
+#include <cstdlib>
+#include <iterator>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "kit/catch.h"
+#include "kit/corpus.h"
+#include "kit/texts.h"
+#include "panels/summary.h"
+#include "tools/drawing.h"
+#include "ui/controls.h"
+#include "view/view_page.h"
+#include "walkthrough/walkthrough.h"
+#include "widgets/text.h"
+
+using namespace evenlift;
+using namespace evenlift::view;
+using namespace view_page;
+
+namespace {
+
+// Writes down each text that differs from all before by more than numbers.
+class WrittenPage {
+ public:
+  WrittenPage() { record_texts(&drawn_); }
+  ~WrittenPage() { record_texts(nullptr); }
+  WrittenPage(const WrittenPage&) = delete;
+  WrittenPage& operator=(const WrittenPage&) = delete;
+
+  void open(const std::string& sample) { page.open(corpus::polygon(sample)); }
+
+  // The heading stands in the golden file.
+  void look(const std::string& heading, const Pointer& pointer = {}) {
+    written += heading + "\n";
+    // Cards get their size from the last frame.
+    for (int frame = 0; frame < 3; ++frame) {
+      drawn_.clear();
+      page.frame(pointer);
+    }
+    for (const DrawnText& text : drawn_) add(text.text);
+    for (const Control& control : controls()) add(control.label);
+    add(summary(page.app.state));
+  }
+
+  // The robot's card, and what its hint says.
+  void look_at_robot(const std::string& heading, std::size_t robot) {
+    const Placement& placement = *page.app.state.derived().placement;
+    const auto [team, end] = find_robot(placement.teams, robot);
+    const Vec2 at = placement.teams[team].robots[end].point.position;
+    look(heading + ", pointed at", page.at(at));
+    page.click(at);
+    look(heading + ", pressed");
+    page.press({"Escape"});
+  }
+
+  AppState& state() { return page.app.state; }
+
+  Page page;
+  std::string written;
+
+ private:
+  void add(const std::string& text) {
+    for (std::size_t at = 0, next = 0; at < text.size(); at = next) {
+      next = std::min(text.find('\n', at), text.size() - 1) + 1;
+      std::string line = text.substr(at, next - at);
+      if (line.ends_with('\n')) line.pop_back();
+      const std::string kind = testing::without_numbers(line);
+      if (!kind.empty() && known_.insert(kind).second) written += "    " + line + "\n";
+    }
+  }
+
+  std::vector<DrawnText> drawn_;
+  std::set<std::string> known_;
+};
+
+void set(WrittenPage& page, const std::string& name, const std::string& text) {
+  Document changed = page.state().work.document();
+  REQUIRE_FALSE(read_setting(*setting_from_name(name), text, changed));
+  REQUIRE_FALSE(edit_by_script(page.state(), changed));
+}
+
+}  // namespace
+
+TEST_CASE("the page writes what it wrote", "[view][words][expected]") {
+  WrittenPage page;
+  page.look("An L, as it opens");
+  for (std::size_t i = 0; i < drawer_count; ++i)
+    give(page.state(), SetDrawerOpen{static_cast<Drawer>(i), true});
+  page.look("All drawers");
+  page.look_at_robot("A robot", 1);
+  for (const std::size_t failing : {0u, 3u}) {
+    give(page.state(), Fail{failing});
+    page.look_at_robot("While robot " + std::to_string(failing + 1) + " fails", 2);
+    give(page.state(), Fail{});
+  }
+  page.open("guitar");
+  give(page.state(), Compare{Method::circle});
+  set(page, "com_radius", "20");
+  page.look("A comparison with a C uncertainty");
+  give(page.state(), Compare{});
+  set(page, "capacity", "14");
+  set(page, "slope", "8%");
+  set(page, "com_height", "500");
+  page.look("A slope, a height and a capacity");
+  page.open("guitar");
+  give(page.state(), SetMethod{Method::given});
+  page.look("By hand");
+  page.look_at_robot("A robot by hand", 0);
+  give(page.state(), SetMethod{Method::balanced});
+  page.look("Balanced");
+  page.look_at_robot("A balanced robot", 0);
+  page.open("dodecagon");
+  set(page, "teams", "max");
+  page.look("Twelve corners, all teams");
+  page.open("comb");
+  set(page, "min_ratio", "0.1");
+  set(page, "teams", "70");
+  page.look("Many teams");
+
+  for (const Method method : {Method::area, Method::balanced}) {
+    page.open("thesis-sample-centroid");
+    give(page.state(), SetMethod{method});
+    page.page.press({"b"});
+    page.page.press({"u"});
+    const std::uint32_t count = timeline(page.state()).count;
+    for (std::uint32_t step = 0; step < count; ++step) {
+      give(page.state(), GoToStep{step});
+      page.look("Step " + std::to_string(step + 1) + ", " + std::string(name(method)));
+    }
+    page.page.press({"b"});
+  }
+
+  const std::filesystem::path path =
+      std::filesystem::path(EVENLIFT_TESTS_DIR) / "expected" / "written.txt";
+  if (std::getenv("EVENLIFT_UPDATE_EXPECTED") != nullptr) corpus::write_file(path, page.written);
+  CHECK(page.written == corpus::read_file(path));
+}
+
+TEST_CASE("the key of the heat map has the colours of its bands", "[view]") {
+  const Theme& theme = view::theme(AppState{});
+  CHECK(heat_colour(theme, 0).packed() == theme.heat[0].packed());
+  for (std::size_t level = 0; level < std::size(heat_levels); ++level)
+    CHECK(heat_colour(theme, heat_levels[level]).packed() == theme.heat[level + 1].packed());
+  CHECK(heat_colour(theme, std::numeric_limits<double>::infinity()).packed() ==
+        theme.heat[std::size(heat_levels) + 1].packed());
+}
+
+TEST_CASE("a text that is cut ends with whole letters", "[view][words]") {
+  const Page page;
+  const std::string text = "\u00e4\u00b0\u00b7\u00e4\u00b0\u00b7";
+  const float whole = text_size(Face::label, text).x;
+  for (float width = 0; width < whole; width += 1) {
+    const std::string cut = cut_off(Face::label, text, width);
+    CHECK(cut.ends_with("\u2026"));
+    CHECK((cut.size() - 3) % 2 == 0);  // each letter has two bytes
+  }
+  CHECK(cut_off(Face::label, text, whole) == text);
+}
+
+TEST_CASE("points snap to the horizontals and verticals through both neighbours", "[view]") {
+  Page page;
+  give(page.app.state, SetSnap{Snap{.axis = true}});
+  const double near = 3 / page.app.state.view.camera.scale;
+  const Vec2 before(100, 100), after(200, 50);
+  const auto at = [&](const Vec2& to) { return snapped(page.app.state, to, before, after); };
+  CHECK(at({100 + near, 75}).x == 100);
+  CHECK(at({200 - near, 75}).x == 200);
+  CHECK(at({150, 100 - near}).y == 100);
+  CHECK(at({150, 50 + near}).y == 50);
+}
