@@ -205,6 +205,17 @@ TEST_CASE("C is found where the robots carry what the scales show", "[task]") {
     const Attempt right = attempt(lesson, exercise, document);
     CHECK(right.kept);
     CHECK(right.goals[0].words.find("Robot 1 should carry ") == 0);
+    // Within 1 % of the weight, however little a robot carries.
+    const Points& at = exercise.start.settings.supports;
+    const double across = cross(at[1] - at[0], at[2] - at[0]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec2 side = at[(k + 2) % 3] - at[(k + 1) % 3],
+                 away(Vec2(-side.y, side.x) / dot(side, side) * across);
+      for (const double part : {0.009, 0.011}) {
+        document.centre_of_mass = centre + part * away;
+        CHECK(attempt(lesson, exercise, document).goals[k].kept == (part < 0.01));
+      }
+    }
     document.centre_of_mass = Vec2(centre + Vec2(40, 0));
     CHECK_FALSE(attempt(lesson, exercise, document).kept);
   }

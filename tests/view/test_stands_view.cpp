@@ -187,6 +187,7 @@ TEST_CASE("every frame with robots of a size can be drawn", "[view][stands][slow
 TEST_CASE("parts of marks are joined, cut and looked up", "[stands]") {
   CHECK(with_part({{2, 0.5, 1}, {0, 0, 0.2}}, {0, 0.1, 0.4}) ==
         std::vector<EdgePart>{{0, 0, 0.4}, {2, 0.5, 1}});
+  CHECK(with_part({{0, 0.1, 0.9}}, {0, 0.2, 0.3}) == std::vector<EdgePart>{{0, 0.1, 0.9}});
   CHECK(without_part({{0, 0, 1}}, {0, 0.25, 0.5}) ==
         std::vector<EdgePart>{{0, 0, 0.25}, {0, 0.5, 1}});
   CHECK(without_part({{0, 0, 1}}, {0, 0, 1}).empty());
