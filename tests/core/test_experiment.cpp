@@ -162,21 +162,6 @@ TEST_CASE("robots with a size, cargo and failures are measured as place and its 
   }
 }
 
-TEST_CASE("loads after a failure are the mean of the samples that do not fall", "[experiment]") {
-  const experiment::ExperimentSettings settings{
-      .samples = 12, .most_teams = 4, .weight = 90, .failures = true};
-  const auto subject = experiment::prepare(corpus::polygon("thesis-sample-centroid"), settings);
-  REQUIRE(subject.ok());
-  bool some_fall = false;
-  for (const experiment::Measurement& m : experiment::measure(*subject, Method::random, settings)) {
-    if (!m.after_failure) continue;
-    INFO(m.robots);
-    some_fall |= m.steady && *m.steady < 1;
-    CHECK(*m.after_failure >= 90.0 / (m.robots - 1));
-  }
-  CHECK(some_fall);
-}
-
 TEST_CASE("averages count the loads of each polygon as those of the thesis's object",
           "[experiment]") {
   const auto averages = [](double weight) {

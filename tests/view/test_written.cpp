@@ -86,7 +86,12 @@ void set(WrittenPage& page, const std::string& name, const std::string& text) {
 
 TEST_CASE("the page writes what it wrote", "[view][words][expected]") {
   WrittenPage page;
-  page.look("An L, as it opens");
+  page.open("comb");
+  set(page, "min_ratio", "0.1");
+  set(page, "teams", "70");
+  page.look("Many teams");
+  page.page.open(document(l_shape));
+  page.look("An L");
   for (std::size_t i = 0; i < drawer_count; ++i)
     give(page.state(), SetDrawerOpen{static_cast<Drawer>(i), true});
   page.look("All drawers");
@@ -105,6 +110,10 @@ TEST_CASE("the page writes what it wrote", "[view][words][expected]") {
   set(page, "slope", "8%");
   set(page, "com_height", "500");
   page.look("A slope, a height and a capacity");
+  set(page, "slope", "30%");
+  give(page.state(), Fail{0});
+  page.look_at_robot("While robot 1 fails on a steep slope", 2);
+  give(page.state(), Fail{});
   page.open("guitar");
   give(page.state(), SetMethod{Method::given});
   page.look("By hand");
@@ -115,10 +124,6 @@ TEST_CASE("the page writes what it wrote", "[view][words][expected]") {
   page.open("dodecagon");
   set(page, "teams", "max");
   page.look("Twelve corners, all teams");
-  page.open("comb");
-  set(page, "min_ratio", "0.1");
-  set(page, "teams", "70");
-  page.look("Many teams");
 
   for (const Method method : {Method::area, Method::balanced}) {
     page.open("thesis-sample-centroid");
@@ -170,4 +175,24 @@ TEST_CASE("points snap to the horizontals and verticals through both neighbours"
   CHECK(at({200 - near, 75}).x == 200);
   CHECK(at({150, 100 - near}).y == 100);
   CHECK(at({150, 50 + near}).y == 50);
+}
+
+TEST_CASE("the card of a team's robot tells its load and that of the other end", "[view]") {
+  Page page(asset(EVENLIFT_ASSETS_DIR "/polygons/thesis-sample.txt"));
+  const Placement& placement = *page.app.state.derived().placement;
+  const std::vector<LoadRange>& loads = shown_report(page.app.state).loads;
+  for (std::uint32_t robot = 0; robot < 6; ++robot) {
+    const auto [team, end] = find_robot(placement.teams, robot);
+    const Explanation card = explain(
+        page.app.state, {Pick::Kind::robot, static_cast<std::uint32_t>(team), static_cast<int>(end),
+                         placement.teams[team].robots[end].point.position});
+    const auto told = [&](const std::string& label) {
+      for (const auto& row : card.rows)
+        if (row.label == label) return std::stod(row.value);
+      return 0.0;
+    };
+    CHECK(told("It carries") == Approx(loads[robot].greatest).margin(0.051));
+    CHECK(told("The other end carries") == Approx(loads[robot ^ 1u].greatest).margin(0.051));
+  }
+  CHECK(loads[3].greatest > loads[2].greatest + 1);
 }
