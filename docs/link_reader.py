@@ -207,9 +207,9 @@ def read_records(coder, settings):
             settings["holes"] = read_holes(coder)
             continue
         length = coder.integer(20)
-        if length > {9: 160, 10: 64000, 12: 322000, 17: 32000, 19: 64000}.get(tag, 32):
+        if length > {9: 160, 10: 64000, 12: 322000, 17: 32000, 19: 64000, 31: 32000, 34: 32000, 36: 64, 39: 243000}.get(tag, 32):
             raise LinkError("a record that is too long")
-        text = bytes(coder.uniform(256) for _ in range(length)).decode("utf-8" if tag == 12 else "ascii", "strict")
+        text = bytes(coder.uniform(256) for _ in range(length)).decode("utf-8" if tag in (12, 39) else "ascii", "strict")
         name, kind = RECORDS[tag]
         try:
             settings[name] = kind(text)

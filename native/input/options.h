@@ -27,7 +27,7 @@ std::string as_typed(std::string_view setting);
 
 // setting_option() reads a setting into the document. loads_option() returns the load model, which
 // is not part of a document. Both throw Failure with the option's name if the text is invalid.
-void setting_option(Setting setting, const std::string& text, Document& document);
+void setting_option(Setting setting, const std::string& typed, Document& document);
 LoadModel loads_option(const std::string& text);
 // Adds typed cargo to the document's; `none` removes it. Throws Failure like setting_option().
 void add_cargo(const std::string& text, Document& document, bool y_down = false);

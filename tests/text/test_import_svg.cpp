@@ -2,8 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evenlift/hull.h"
 #include "evenlift/import.h"
-#include "evenlift/polygon.h"
+#include "evenlift/polygon_with_holes.h"
 #include "kit/catch.h"
 #include "kit/imported.h"
 

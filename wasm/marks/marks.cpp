@@ -199,7 +199,7 @@ std::string result_in_words(const Reported& of, std::size_t further) {
   if (!placement.loads) return "no team";
   double least = of.report.greatest;
   for (const LoadRange& load : of.report.loads) least = std::min(least, load.least);
-  const std::string words =
+  std::string words =
       load_in_words(LoadRange{least, of.report.greatest}, of.report.greatest, units);
   if (further == 0) return words;
   return say(further == 1     ? "{loads} · coverage {coverage}"

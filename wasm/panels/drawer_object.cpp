@@ -1,5 +1,6 @@
 // The rows about the object and the conditions under which it is carried.
 #include "actions/actions.h"
+#include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
 #include "evenlift/wording.h"
 #include "panels/drawers.h"

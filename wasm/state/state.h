@@ -61,13 +61,15 @@ inline const Failure* failing(const AppState& state) {
 // is the placement after its failure. Precondition: the placement exists. O(1).
 inline const Placement& shown_placement(const AppState& state, bool second = false) {
   if (second) return *state.derived().second;
-  return failing(state) ? failing(state)->placement : *state.derived().placement;
+  const Failure* failure = failing(state);
+  return failure ? failure->placement : *state.derived().placement;
 }
 
 // Returns the report about shown_placement(). O(1).
 inline const Report& shown_report(const AppState& state, bool second = false) {
   if (second) return state.derived().second_report;
-  return failing(state) ? failing(state)->report : state.derived().report;
+  const Failure* failure = failing(state);
+  return failure ? failure->report : state.derived().report;
 }
 
 // Returns whether any robot of the first picture was moved by hand. O(1).

@@ -642,6 +642,10 @@ class SupportTable {
   }
 
  private:
+  static constexpr const char* unknown =
+      "the unit of x and y is not known; it may be mm, cm, m, in or ft";
+  static constexpr WordList other_units = "dm km yd yard yards mi mile miles"_words;
+
   Problem take_headings() {
     if (!columns_.x || !columns_.y)
       return gathered_.error(
@@ -653,8 +657,7 @@ class SupportTable {
     // Brackets may also say more, as in "x (right)" and "y (up)".
     const bool is_unknown =
         unit_ == LengthUnit::none && !in_brackets(x).empty() && in_brackets(x) == in_brackets(y);
-    if (is_unknown)
-      return gathered_.error(0, "the unit of x and y is not known; it may be mm, cm, m, in or ft");
+    if (is_unknown) return gathered_.error(0, unknown);
     const auto unit_in = [&](const Cell& column) {
       return column ? weight_unit_in(headings_[*column]) : std::nullopt;
     };
@@ -704,7 +707,8 @@ class SupportTable {
     const auto x = value(cells, across), y = value(cells, up);
     if (!x || !y) return std::nullopt;
     const Vec2 at(*x, *y);
-    return columns_.is_in_feet ? inches_of_a_foot * at : at;
+    const bool in_feet = columns_.is_in_feet || is_in_feet(cell(cells, columns_.unit));
+    return in_feet ? inches_of_a_foot * at : at;
   }
 
   Problem take_row(const Line& line) {
@@ -739,7 +743,9 @@ class SupportTable {
       if (!of_capacities_) unit_of_capacities_ = weight;
       if (!of_readings_) unit_of_readings_ = weight;
     }
-    const LengthUnit own = unit_named(cell(cells, columns_.unit)).value_or(LengthUnit::none);
+    const std::string_view unit = cell(cells, columns_.unit);
+    const LengthUnit own = is_in_feet(unit) ? LengthUnit::in : unit_in(unit);
+    if (own == LengthUnit::none && other_units.has(unit)) return gathered_.error(offset, unknown);
     if (own == LengthUnit::none) return std::nullopt;
     if (unit_ != LengthUnit::none && own != unit_)
       return gathered_.error(offset, "the robots are in different units");
