@@ -13,7 +13,6 @@
 namespace random_files {
 namespace {
 
-using evenlift::Box;
 using evenlift::Points;
 using evenlift::Rng;
 using evenlift::shortest;

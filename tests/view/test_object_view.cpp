@@ -151,9 +151,10 @@ TEST_CASE("triangles fill an object and none of its holes", "[view]") {
   std::vector<Document> documents{plate(), loaded_plate()};
   for (const int across : {1, 3, 8}) {  // a grid of holes with vertices at equal heights
     Document grid{square({0, 0}, 50), std::nullopt};
+    const double step = 100.0 / across;
     for (int i = 0; i < across * across; ++i) {
-      const double step = 100.0 / across;
-      const Vec2 middle(-50 + step * (i % across + 0.5), -50 + step * (i / across + 0.5));
+      const int row = i / across, column = i % across;
+      const Vec2 middle(-50 + step * (column + 0.5), -50 + step * (row + 0.5));
       grid.holes.push_back(i % 2 == 0 ? square(middle, 0.3 * step) : star(middle, 0.4 * step, 3));
     }
     documents.push_back(grid);

@@ -75,7 +75,7 @@ bool is_short(const Placement& placement) {
 }
 
 // "88" of "88 %".
-std::string without_sign(std::string percentage) {
+std::string without_sign(const std::string& percentage) {
   return percentage.substr(0, percentage.find("\u00A0%"));
 }
 
@@ -131,9 +131,8 @@ std::optional<Offer> gentler_slope(const Derived& facts, const Reported& now) {
   const Tilt& tilt = *now.report.tilt;
   const double least = std::min(tilt.slope, tilt.slope_left.value_or(tilt.slope));
   Shown gentler = now.shown;
-  for (double percent = std::floor(100 * least); percent >= 1;
-       percent = std::floor(percent * 0.9)) {
-    gentler.carrying.slope = percent / 100;
+  for (int percent = static_cast<int>(100 * least); percent >= 1; percent = percent * 9 / 10) {
+    gentler.carrying.slope = static_cast<double>(percent) / 100;
     if (!evenlift::report_of(ShownPlacement(now.placement, gentler)).upright) continue;
     return Offer{facts.placed.settings,
                  say("Slope {slope} at most: it stays", {slope_in_words(gentler.carrying.slope)}),

@@ -61,10 +61,10 @@ bool take_records(const Records& records, Document& document);
 inline constexpr int widest_tag = 8, widest_length = 20, widest_supports = 10, widest_holes = 10,
                      widest_hole = 16;
 static_assert(most_supports < 1u << widest_supports && max_holes < 1u << widest_holes);
-bool is_known(Tag tag);
+bool is_known(Tag number);
 
 // The greatest number of bytes in the payload of this record. O(1).
-std::size_t longest_value(Tag tag);
+std::size_t longest_value(Tag number);
 
 template <class Coder>
 void code_points(Coder& coder, CodedPoints& points, std::size_t count) {

@@ -58,13 +58,13 @@ class Chain {
         sums_(std::size_t{width_} * (most + 1), impossible),
         before_(sums_.size()) {
     sums_[0] = 0;
-    const std::uint32_t ends = triangles.ends(), longest = triangles.chords();
+    const std::uint32_t longest = triangles.chords();
     for (std::uint32_t number = 1; number <= most; ++number)
       for (std::uint32_t to = 1; to < width_; ++to)
         for (std::uint32_t from = to > longest ? to - longest : 0; from < to; ++from) {
           const double sum = at(number - 1, from);
           if (sum < 0) continue;
-          offer(number, to, from, sum + triangles.share((first + from) % ends, to - from));
+          offer(number, to, from, sum + triangles.share(triangles.after(first, from), to - from));
         }
   }
 
@@ -110,7 +110,7 @@ Closed close(const Triangles& triangles, const Chain& chain, std::uint32_t first
       const double sum = chain.at(number, place);
       const std::uint32_t left = length - place;
       if (sum < 0 || left > triangles.chords()) continue;
-      const double closed = sum + triangles.share((first + place) % triangles.ends(), left);
+      const double closed = sum + triangles.share(triangles.after(first, place), left);
       if (closed > best.sum) best = {closed, number, place};
     }
   return best;
@@ -155,7 +155,7 @@ class BothSides {
   }
   // Places are counted about C from the chord's right end.
   double step(std::uint32_t from, std::uint32_t to) const {
-    return triangles_.share((first_ + from) % triangles_.ends(), to - from);
+    return triangles_.share(triangles_.after(first_, from), to - from);
   }
 
   void extend(std::uint32_t chord) {
@@ -187,9 +187,9 @@ class BothSides {
       left.push_back(pair % chords_);
     }
     std::vector<std::uint32_t> ends;
-    for (const std::uint32_t place : right) ends.push_back((first_ + place) % triangles_.ends());
+    for (const std::uint32_t place : right) ends.push_back(triangles_.after(first_, place));
     for (const std::uint32_t place : left)
-      ends.push_back((first_ + chords_ + place) % triangles_.ends());
+      ends.push_back(triangles_.after(first_, chords_ + place));
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     return ends;
@@ -253,9 +253,9 @@ std::optional<Ring> best_ring_by_sides(const Triangles& triangles, std::uint32_t
     best.share = a.sum + b.sum;
     best.ends = {first, opposite};
     for (const std::uint32_t place : right.places(a.number, a.place))
-      best.ends.push_back((first + place) % triangles.ends());
+      best.ends.push_back(triangles.after(first, place));
     for (const std::uint32_t place : left.places(b.number, b.place))
-      best.ends.push_back((opposite + place) % triangles.ends());
+      best.ends.push_back(triangles.after(opposite, place));
   }
   return best;
 }

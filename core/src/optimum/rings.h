@@ -20,6 +20,11 @@ class Triangles {
 
   std::uint32_t chords() const { return chords_; }
   std::uint32_t ends() const { return 2 * chords_; }
+  // The end `steps` places after `end`, cyclically. Both are less than ends().
+  std::uint32_t after(std::uint32_t end, std::uint32_t steps) const {
+    const std::uint32_t at = end + steps;
+    return at < ends() ? at : at - ends();
+  }
   std::uint32_t chord_of(std::uint32_t end) const { return end % chords_; }
 
   // The share of P in the triangle of C, the end `from`, and the end `steps` places later,

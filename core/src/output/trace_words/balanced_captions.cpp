@@ -255,7 +255,7 @@ std::string StepCaptions::failure() const {
 std::string StepCaptions::failures() const {
   const Robustness& known = trace_.report.robustness;
   const Shown shown = shown_in(trace_.units);
-  const std::string text = failures_in_words({{placement_, shown}, trace_.report});
+  std::string text = failures_in_words({{placement_, shown}, trace_.report});
   if (known.failures_carried < 2) return text;
   return sentences(
       {text,
