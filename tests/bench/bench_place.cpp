@@ -127,7 +127,7 @@ BENCHMARK_CAPTURE(plan, most_teams_for_capacity, Family::comb, Method::area, 0.0
 
 // A plan that finds no number; for balanced robots, one found after some searches.
 void plan_failures(benchmark::State& state, Document document, Settings settings, double capacity) {
-  document.settings = settings;
+  document.settings = std::move(settings);
   const Placement placement = *evenlift::place(document);
   FailurePlan plan;
   for (auto _ : state) {

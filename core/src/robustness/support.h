@@ -111,7 +111,7 @@ class LoadErrors {
   Vec2 other_way(std::size_t j, const Vec2& way) const;
 
   // The planned loads at other places, with what springs add to keep the balance. O(m).
-  std::vector<double> planned_at(const Points& places) const;
+  std::vector<double> planned_at(const Points& robots) const;
 
  private:
   Vec2 derivative(std::size_t i, std::size_t j) const;  // by the place of robot j in the plane

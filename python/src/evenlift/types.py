@@ -536,7 +536,7 @@ class Verdict(TypedDict):
     """Whether the placement is good, and if not, why."""
 
     kind: Union[Literal["good"], Literal["warning"], Literal["bad"]]
-    """`bad` if there are no robots, the object falls, it tips under the given conditions, or a robot carries, or within these conditions can carry, more than its capacity as planned; `warning` if there are fewer teams than requested, a robot does not fit, the coverage is below 0.5, C is not clearly inside the lifting base, or the object is not held with a clearance of at least `clear` or to second order; otherwise `good`."""
+    """`bad` if there are no robots, the object falls, it tips under the given conditions, or a robot carries, or within these conditions can carry, more than its capacity as planned; `warning` if a support or hole is left out, there are fewer teams than requested, a robot does not fit, the coverage is below 0.5, C is not clearly inside the lifting base, the object is not `held`, or something may end with robots off by `accuracy`; otherwise `good`."""
     reasons: list[str]
     """Sentences, the most serious first; none if it is good."""
     codes: list[VerdictCode]
@@ -745,7 +745,7 @@ class _PlacementDict(TypedDict):
     stands: bool
     """Whether the robots can carry the object: the centre of mass is in the lifting base. Only supports can fail this, or a placement without robots."""
     held: bool
-    """Whether the robots hold the object: in form closure even without the contacts nearer than `clear` to a corner, or to second order."""
+    """Whether the robots hold the object: in form closure with a clearance of at least `clear` and a tolerance of at least half of that and of at least `accuracy`, or to second order."""
     verdict: Verdict
     """The page's judgement."""
     tilt: Optional[Tilt]
