@@ -289,8 +289,8 @@ class Manual(unittest.TestCase):
                                          "tests/experiment/update_manual.py writes its tables anew")
 
     def test_what_it_says_of_balanced_robots_where_pairs_stand_is_so(self):
-        text = (ROOT / "docs" / "experiments.md").read_text(encoding="utf-8")
-        stated = numbers(re.search(r"On those alone on which 6 robots stand in pairs, (.*?)\. What", text, re.S).group(1))
+        text = " ".join((ROOT / "docs" / "experiments.md").read_text(encoding="utf-8").split())
+        stated = numbers(re.search(r"On those alone on which 6 robots stand in pairs, (.*?)\. What", text).group(1))
         found = []
         for of in SETS:
             rows = results.measurements(FOLDER, of)
