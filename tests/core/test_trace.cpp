@@ -530,7 +530,7 @@ TEST_CASE("who lost a tie by its length is told both lengths, the greater first"
   const Trace trace = traced(placed(document, Method::area, max_teams));
   std::size_t ties = 0;
   for (std::uint32_t k = 0; k < trace.size(); ++k) {
-    if (look_at(trace, k).step.kind != StepKind::scores) continue;
+    if (trace.step(k).kind != StepKind::scores) continue;
     for (std::uint32_t c = 0; c < trace.placement.candidates.size(); ++c) {
       const WhyNot answer = why_not(trace, k, c);
       if (answer.why != Why::behind || answer.decided_by != DecidedBy::length) continue;

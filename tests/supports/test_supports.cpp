@@ -574,13 +574,14 @@ TEST_CASE("supports are read from tables, results and poses", "[supports][import
   const SupportFile feet = read("x,y,unit\n1,0,ft\n2,1,feet\n36,0,in\n");
   CHECK(feet.unit == LengthUnit::in);
   CHECK(feet.places == Points{{12, 0}, {24, 12}, {36, 0}});
+  CHECK(read("x,y,unit\n1,0,ft\n2,1,\n").places == Points{{12, 0}, {24, 12}});
   CHECK(read("x (cm),y (cm),SWL\n1,2,3").unit == LengthUnit::cm);
   CHECK(read("x (cm),y (cm),SWL\n1,2,3").capacities.at(0) == 3.0);
   CHECK(read("x,y,Rated capacity (kg)\n1,2,3").capacities.at(0) == 3.0);
   for (const char* bad :
        {"", "a,b\n1,2", "x,y\n1", "x,y\n1,b", "{}", "[1]", "[[1,2,3]]", "[", "x,y",
-        "x,y,capacity\n1,2,-3", "x,y\n1,5,2", "x,y,unit\n1,2,yards", "x (m),y (mm)\n1,2",
-        R"({"origin": "com", "robots": []})", "poses:\n - position: {x: 1}"})
+        "x,y,capacity\n1,2,-3", "x,y\n1,5,2", "x,y,unit\n1,2,yards", "x,y,unit\n1,2,\n3,4,ft",
+        "x (m),y (mm)\n1,2", R"({"origin": "com", "robots": []})", "poses:\n - position: {x: 1}"})
     CHECK_FALSE(read_support_file(bad).ok());
 }
 

@@ -44,14 +44,6 @@ std::map<std::string, std::string> lines(Page& page) {
   return said;
 }
 
-void set(Page& page, const std::string& name, const std::string& text) {
-  Document changed = page.app.state.work.document();
-  const auto setting = setting_from_name(name);
-  REQUIRE(setting);
-  REQUIRE_FALSE(read_setting(*setting, text, changed));
-  REQUIRE_FALSE(edit_by_script(page.app.state, changed));
-}
-
 std::set<std::string> drawn_texts(Page& page) {
   std::vector<DrawnText> drawn;
   record_texts(&drawn);

@@ -13,7 +13,6 @@
 #include "tools/drawing.h"
 #include "ui/controls.h"
 #include "view/view_page.h"
-#include "walkthrough/walkthrough.h"
 #include "widgets/text.h"
 
 using namespace evenlift;
@@ -23,24 +22,14 @@ using namespace view_page;
 namespace {
 
 // Writes down each text that differs from all before by more than numbers.
-class WrittenPage {
+class WrittenPage : public RecordedPage {
  public:
-  WrittenPage() { record_texts(&drawn_); }
-  ~WrittenPage() { record_texts(nullptr); }
-  WrittenPage(const WrittenPage&) = delete;
-  WrittenPage& operator=(const WrittenPage&) = delete;
-
   void open(const std::string& sample) { page.open(corpus::polygon(sample)); }
 
   // The heading stands in the golden file.
   void look(const std::string& heading, const Pointer& pointer = {}) {
     written += heading + "\n";
-    // Cards get their size from the last frame.
-    for (int frame = 0; frame < 3; ++frame) {
-      drawn_.clear();
-      page.frame(pointer);
-    }
-    for (const DrawnText& text : drawn_) add(text.text);
+    for (const DrawnText& text : RecordedPage::look(pointer)) add(text.text);
     for (const Control& control : controls()) add(control.label);
     add(summary(page.app.state));
   }
@@ -56,9 +45,6 @@ class WrittenPage {
     page.press({"Escape"});
   }
 
-  AppState& state() { return page.app.state; }
-
-  Page page;
   std::string written;
 
  private:
@@ -72,23 +58,16 @@ class WrittenPage {
     }
   }
 
-  std::vector<DrawnText> drawn_;
   std::set<std::string> known_;
 };
-
-void set(WrittenPage& page, const std::string& name, const std::string& text) {
-  Document changed = page.state().work.document();
-  REQUIRE_FALSE(read_setting(*setting_from_name(name), text, changed));
-  REQUIRE_FALSE(edit_by_script(page.state(), changed));
-}
 
 }  // namespace
 
 TEST_CASE("the page writes what it wrote", "[view][words][expected]") {
   WrittenPage page;
   page.open("comb");
-  set(page, "min_ratio", "0.1");
-  set(page, "teams", "70");
+  set(page.page, "min_ratio", "0.1");
+  set(page.page, "teams", "70");
   page.look("Many teams");
   page.page.open(document(l_shape));
   page.look("An L");
@@ -103,14 +82,14 @@ TEST_CASE("the page writes what it wrote", "[view][words][expected]") {
   }
   page.open("guitar");
   give(page.state(), Compare{Method::circle});
-  set(page, "com_radius", "20");
+  set(page.page, "com_radius", "20");
   page.look("A comparison with a C uncertainty");
   give(page.state(), Compare{});
-  set(page, "capacity", "14");
-  set(page, "slope", "8%");
-  set(page, "com_height", "500");
+  set(page.page, "capacity", "14");
+  set(page.page, "slope", "8%");
+  set(page.page, "com_height", "500");
   page.look("A slope, a height and a capacity");
-  set(page, "slope", "30%");
+  set(page.page, "slope", "30%");
   give(page.state(), Fail{0});
   page.look_at_robot("While robot 1 fails on a steep slope", 2);
   give(page.state(), Fail{});
@@ -122,20 +101,14 @@ TEST_CASE("the page writes what it wrote", "[view][words][expected]") {
   page.look("Balanced");
   page.look_at_robot("A balanced robot", 0);
   page.open("dodecagon");
-  set(page, "teams", "max");
+  set(page.page, "teams", "max");
   page.look("Twelve corners, all teams");
 
   for (const Method method : {Method::area, Method::balanced}) {
     page.open("thesis-sample-centroid");
-    give(page.state(), SetMethod{method});
-    page.page.press({"b"});
-    page.page.press({"u"});
-    const std::uint32_t count = timeline(page.state()).count;
-    for (std::uint32_t step = 0; step < count; ++step) {
-      give(page.state(), GoToStep{step});
+    page.walk(method, [&](std::uint32_t step) {
       page.look("Step " + std::to_string(step + 1) + ", " + std::string(name(method)));
-    }
-    page.page.press({"b"});
+    });
   }
 
   const std::filesystem::path path =

@@ -16,9 +16,11 @@
 #include "app/update.h"
 #include "edits/undo.h"
 #include "evenlift/formats.h"
+#include "evenlift/settings.h"
 #include "kit/catch.h"
 #include "state/derived.h"
 #include "ui/theme.h"
+#include "walkthrough/walkthrough.h"
 
 namespace view_page {
 
@@ -163,6 +165,54 @@ class Page {
   }
 
   App app;
+};
+
+// As a script would. It must not be refused.
+inline void set(Page& page, const std::string& name, const std::string& text) {
+  Document changed = page.app.state.work.document();
+  const auto setting = setting_from_name(name);
+  REQUIRE(setting);
+  REQUIRE_FALSE(read_setting(*setting, text, changed));
+  REQUIRE_FALSE(edit_by_script(page.app.state, changed));
+}
+
+// A page, and what it wrote at the last look.
+class RecordedPage {
+ public:
+  RecordedPage() { record_texts(&drawn_); }
+  ~RecordedPage() { record_texts(nullptr); }
+  RecordedPage(const RecordedPage&) = delete;
+  RecordedPage& operator=(const RecordedPage&) = delete;
+
+  const std::vector<DrawnText>& look(const Pointer& pointer = {}) {
+    // Cards get their size from the last frame.
+    for (int frame = 0; frame < 3; ++frame) {
+      drawn_.clear();
+      page.frame(pointer);
+    }
+    return drawn_;
+  }
+
+  AppState& state() { return page.app.state; }
+
+  // Goes through all steps of the method.
+  template <class See>
+  void walk(Method method, See see) {
+    give(state(), SetMethod{method});
+    page.press({"b"});
+    page.press({"u"});
+    const std::uint32_t count = timeline(state()).count;
+    for (std::uint32_t step = 0; step < count; ++step) {
+      give(state(), GoToStep{step});
+      see(step);
+    }
+    page.press({"b"});
+  }
+
+  Page page;
+
+ private:
+  std::vector<DrawnText> drawn_;
 };
 
 }  // namespace view_page

@@ -30,28 +30,17 @@ std::map<std::string, std::string> german() {
 }
 
 // A page in a language, and what it wrote at each look.
-class SpokenPage {
+class SpokenPage : public RecordedPage {
  public:
   explicit SpokenPage(const std::map<std::string, std::string>& words) {
     for (const auto& [english, other] : words) add_translation(english, other);
-    record_texts(&drawn_);
   }
-  ~SpokenPage() {
-    record_texts(nullptr);
-    forget_translations();
-  }
-  SpokenPage(const SpokenPage&) = delete;
-  SpokenPage& operator=(const SpokenPage&) = delete;
+  ~SpokenPage() { forget_translations(); }
 
   // Draws, and looks at what was written.
   void look() {
-    // Cards get their size from the last frame.
-    for (int frame = 0; frame < 3; ++frame) {
-      drawn_.clear();
-      page.frame();
-    }
     std::set<std::string> without_room;
-    for (const DrawnText& text : drawn_) {
+    for (const DrawnText& text : RecordedPage::look()) {
       seen.insert(text.text);
       // A press shows all of the verdict.
       const Verdict told = verdict(page.app.state, Words::in_panel);
@@ -64,14 +53,8 @@ class SpokenPage {
     cut.push_back(std::move(without_room));
   }
 
-  AppState& state() { return page.app.state; }
-
-  Page page;
   std::set<std::string> seen;
   std::vector<std::set<std::string>> cut;  // at each look
-
- private:
-  std::vector<DrawnText> drawn_;
 };
 
 // By words that German sentences lack.
@@ -148,17 +131,7 @@ void walk_through_settings(SpokenPage& page) {
 }
 
 void walk_through_steps(SpokenPage& page) {
-  for (const Method method : all_methods) {
-    give(page.state(), SetMethod{method});
-    page.page.press({"b"});
-    page.page.press({"u"});
-    const std::uint32_t count = timeline(page.state()).count;
-    for (std::uint32_t step = 0; step < count; ++step) {
-      give(page.state(), GoToStep{step});
-      page.look();
-    }
-    page.page.press({"b"});
-  }
+  for (const Method method : all_methods) page.walk(method, [&](std::uint32_t) { page.look(); });
 }
 
 void walk_through_samples(SpokenPage& page) {

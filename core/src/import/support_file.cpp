@@ -707,8 +707,7 @@ class SupportTable {
     const auto x = value(cells, across), y = value(cells, up);
     if (!x || !y) return std::nullopt;
     const Vec2 at(*x, *y);
-    const bool in_feet = columns_.is_in_feet || is_in_feet(cell(cells, columns_.unit));
-    return in_feet ? inches_of_a_foot * at : at;
+    return columns_.is_in_feet || in_feet_ ? inches_of_a_foot * at : at;
   }
 
   Problem take_row(const Line& line) {
@@ -718,12 +717,13 @@ class SupportTable {
       return gathered_.error(offset,
                              "the line has more cells than the first line; decimals with a "
                              "comma need a semicolon between the columns");
+    if (auto wrong = take_units(cells, offset)) return wrong;
+    begun_ = true;
     const auto at = point(cells, columns_.x, columns_.y);
     if (!at) return gathered_.error(offset, "the line needs a number for x and for y");
     const auto capacity = value(cells, columns_.capacity);
     if (!capacity && !cell(cells, columns_.capacity).empty())
       return gathered_.error(offset, "the capacity is not a number");
-    if (auto wrong = take_units(cells, offset)) return wrong;
     const auto contact = point(cells, columns_.contact_x, columns_.contact_y);
     if (auto wrong = gathered_.add({*at, contact, capacity, name_in(cell(cells, columns_.name))},
                                    offset, line.number))
@@ -736,7 +736,8 @@ class SupportTable {
     return std::nullopt;
   }
 
-  // evenlift's own poses have a column of units; in other tables it may mean something else.
+  // evenlift's own poses have a column of units; in other tables it may mean something else. A line
+  // without a unit is in that of the line before.
   Problem take_units(const Fields& cells, std::size_t offset) {
     const auto weight = weight_unit_in("(" + std::string(cell(cells, columns_.weight_unit)) + ")");
     if (weight && *weight > 0) {
@@ -744,12 +745,14 @@ class SupportTable {
       if (!of_readings_) unit_of_readings_ = weight;
     }
     const std::string_view unit = cell(cells, columns_.unit);
-    const LengthUnit own = is_in_feet(unit) ? LengthUnit::in : unit_in(unit);
+    const bool in_feet = is_in_feet(unit);
+    const LengthUnit own = in_feet ? LengthUnit::in : unit_in(unit);
     if (own == LengthUnit::none && other_units.has(unit)) return gathered_.error(offset, unknown);
     if (own == LengthUnit::none) return std::nullopt;
-    if (unit_ != LengthUnit::none && own != unit_)
-      return gathered_.error(offset, "the robots are in different units");
+    const bool differs = unit_ == LengthUnit::none ? in_feet && begun_ : own != unit_;
+    if (differs) return gathered_.error(offset, "the robots are in different units");
     unit_ = own;
+    in_feet_ = in_feet;
     return std::nullopt;
   }
 
@@ -759,6 +762,7 @@ class SupportTable {
   Fields headings_;
   Columns columns_;
   LengthUnit unit_ = LengthUnit::none;
+  bool in_feet_ = false, begun_ = false;  // by the column of units; whether there was a line
   std::optional<double> of_capacities_, of_readings_;  // as the headings state them
   std::optional<double> unit_of_capacities_, unit_of_readings_;
 };
